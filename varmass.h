@@ -135,7 +135,7 @@
        vm_rotate                      The components along inertial axes of a vector whose components along body axes are a
        vm_rotate_back                 The components along body axes of a vector whose components along inertial axes are a
        vm_quat_to_matrix              Writes the rotation matrix c of the attitude q, row by row
-       vm_quat_from_matrix            The quaternion q of length 1, with w >= 0, that has the rotation matrix c; vm_quat_to_matrix describes c
+       vm_quat_from_matrix            The quaternion q of length 1, with w >= 0, that has the rotation matrix c
        vm_quat_to_mrp                 Modified Rodrigues parameters of an attitude
        vm_quat_from_mrp               The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length
 
@@ -156,7 +156,7 @@
        vm_momentum                    Momentum of a body, mass times velocity, (1)-(3), N s
        vm_angular_momentum            Angular momentum of a body about the point `about` (7)-(9), N m s
        vm_kinetic_energy              Kinetic energy of a body (93), (97), J
-       vm_balance_between             Balance of momentum, angular momentum and energy across an instant
+       vm_balance_between             Balance of momentum, angular momentum and energy before and after a jump
 
      mechanics/bodies2: momentum and energy of bodies in the plane, and their conversion to bodies in space
        vm_angular_momentum2           Angular momentum of a body that moves in the plane about the point (x, y), N m s
@@ -250,7 +250,7 @@
      mechanics/flow: a free body in space with streams of mass
        vm_flow_rhs                    Right-hand side of the equations of motion of a free body whose streams change its mass (151), (152)
        vm_flow_given_rhs              Right-hand side of the equations of motion of a free body with given laws of mass, mass centre and inertia
-       vm_flow_balanced_rhs           Right-hand side vm_flow_rhs with seven integrals that check the balances
+       vm_flow_balanced_rhs           Right-hand side of the equations of vm_flow_rhs, with seven more states
        vm_flow_carried_rhs            Right-hand side of the equations of motion of a free body whose lost or gained mass moves with the body (166)
        vm_flow_start                  Initial state y of a body with streams
        vm_flow_body                   Sets *body to the body that the n numbers of the state y describe
@@ -295,7 +295,7 @@
        vm_drum_deflection_start       Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0
        vm_drum_unbalance              Deflection of the elastic shaft by the unbalance of the band, which (224), (225) leave out
        vm_drum_rate_elastic           Angular velocity phi' on an elastic shaft, rad/s
-       vm_drum_shaft_valid            Tests whether the shaft's frequency k sqrt(1 - A phi) stays real while the whole first layer is wound up (226)
+       vm_drum_shaft_valid            Tests whether the shaft's frequency k sqrt(1 - A phi) stays real until the first layer is complete (226)
 
      mechanics/lagrange: Lagrange's equations with variable mass
        vm_lagrange_rhs                Right-hand side of Lagrange's equations with variable mass (247)
@@ -401,7 +401,7 @@
      oscillators/jeffcott: the Jeffcott (Laval) rotor with variable mass
        vm_jeffcott_power              Stiffness K_e(rho) = F_e(rho)/rho = k rho^(alpha-1) of a power law, as a vm_jeffcott_stiffness
        vm_jeffcott_polar              Polar coordinates (448) of the disc's centre
-       vm_jeffcott_momentum           Angular momentum of a rotor about its axis, with the part of the gyroscopic force, kg m^2/s
+       vm_jeffcott_momentum           Angular momentum of a rotor about its axis, kg m^2/s
        vm_jeffcott_rhs                Equation of motion (449), (450) of a rotor, for rk45 or rk87
        vm_jeffcott_to_averaged        Converts the motion (x, y, x', y') of a rotor to forward and backward whirl, (456)-(461)
        vm_jeffcott_from_averaged      Converts forward and backward whirl of a rotor to the motion (x, y, x', y')
@@ -468,7 +468,7 @@
        vm_find_samples                Turning points or zero crossings of a trajectory in (t0, t1]
        vm_find_samples_of_step        Turning points or zero crossings in the last step of an rk45 or rk87
        vm_envelope_error              Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples
-       vm_adiabaticity                Adiabaticity q/Om of an oscillator at time t and amplitude A, the small parameter of averaging
+       vm_adiabaticity                Adiabaticity q/Om of an oscillator at time t and amplitude A
 
      scenes/motions: the bodies of a scene, and how each of them moves
        vm_scene_body_line             A body on a line
@@ -1302,16 +1302,16 @@ VM_API vm_real vm_lambert_wm1_neg_exp(vm_real l)
 #endif
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
    The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
-   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
-   quaternion of four zeros stands for the identity.
+   components of vectors along body axes into components along inertial axes. The length of the quaternion does not
+   matter, and a quaternion of four zeros stands for the identity (no rotation).
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
-   product and normalisation of quaternions. The others are norms and rotation matrices. No function here checks its
-   arguments: infinite and NaN numbers go through the arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   The functions whose names begin with vm_ are for users. They compute sum, difference, multiple, dot product, cross
+   product and length of vectors, and product and normalisation of quaternions. The internal functions (vmi_) compute
+   norms and rotation matrices. No function here checks its arguments; infinite and NaN numbers are computed with like
+   any others. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -1384,7 +1384,7 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, m^T undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
@@ -1412,7 +1412,8 @@ VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
 /* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
-   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
+   into the axes of a body, and p turns the axes of the body into inertial axes, then p q turns the axes of the part
+   into inertial axes. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -1476,15 +1477,16 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
 
 #endif
 /* mechanics/attitude.h - attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
-   The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
-   the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
-   angle of the rotation, and (x, y, z) is the unit vector along the axis of the rotation, times the sine of half the
-   angle (Hamilton's quaternions, right-handed).
+   The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes. A vector
+   with the components a along the body's axes has the components q a q* along inertial axes, for |q| = 1 and with the
+   conjugate quaternion q* = w - x i - y j - z k. w is the cosine of half the angle of the rotation, and (x, y, z) is
+   the unit vector along the axis of the rotation, times the sine of half the angle (Hamilton's quaternions,
+   right-handed).
    q and -q are the same attitude. The length of q does not matter. If all four numbers of q are 0, body axes and
    inertial axes coincide (the identity). This chapter computes
      - the components of a vector along inertial axes from those along body axes, and back,
-     - the rotation matrix of q, which consists of the direction cosines of the axes, and q from this matrix,
-     - the modified Rodrigues parameters of q, and q from them.
+     - the rotation matrix of q, which consists of the direction cosines of the axes, and the quaternion of a matrix,
+     - the modified Rodrigues parameters of q, and the quaternion of such parameters.
    Euler's angles are in the chapter mechanics/euler_angles.
 
        vm_quat q = {1, 0, 0, 1};                    // the body is turned by 90 degrees about z
@@ -1492,8 +1494,8 @@ VM_API vmi_mat3 vmi_rotation(vm_quat q)
        vm_vec3 direction = vm_rotate(q, forward);   // (0, 1, 0), in inertial axes
        vm_vec3 back = vm_rotate_back(q, direction); // (1, 0, 0), in body axes
 
-   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); there q is the
-   opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
+   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993). In that survey q
+   is the opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
@@ -1531,7 +1533,7 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
    the angular velocity omega (rad/s, body axes). The formula is q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, where
    (0, omega) is a quaternion whose w is 0. The argument `square` must be |q|^2. q should have length 1, but errors of
    an integration change its length. The second term of q' brings the length back to 1. This correction is slower than
-   the rotation of the body, so that an integrator needs no shorter steps because of it. */
+   the rotation of the body. Therefore an integrator can take steps as long as without the correction. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
@@ -1577,8 +1579,8 @@ VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
     return VM_OK;
 }
 
-/* vmi_is_rotation accepts a matrix as a rotation matrix if the errors that it finds in the matrix are at most this
-   number. A rotation matrix whose entries are rounded to three digits is accepted. */
+/* vmi_is_rotation tests conditions that every rotation matrix satisfies. This number is the tolerance of these tests.
+   A rotation matrix whose entries are rounded to three digits is accepted. */
 #define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
 
 /* Returns 1 if c is a rotation matrix, apart from small errors of its entries, and 0 otherwise. The columns x, y, z of
@@ -1591,12 +1593,12 @@ VM_API int vmi_is_rotation(const vm_real *c)
     return vmi_norm_max(lengths) <= VMI_MATRIX_TOLERANCE && vmi_norm_max(turned) <= VMI_MATRIX_TOLERANCE;
 }
 
-/* The quaternion q of length 1, with w >= 0, that has the rotation matrix c; vm_quat_to_matrix describes c. The error
-   is within 4 eps. For a rotation by a small angle it is within 4 eps times this angle. Rounding errors of c cause
-   errors of the same size in q. There are four formulas for q, each with a division; the function uses the one with the
-   largest divisor (Shepperd 1978).
+/* The quaternion q of length 1, with w >= 0, that has the rotation matrix c. The comment of vm_quat_to_matrix
+   describes c. The error is within 4 eps. For a rotation by a small angle it is within 4 eps times this angle.
+   Rounding errors of c cause errors of the same size in q. There are four formulas for q, each with a division; the
+   function uses the formula with the largest divisor, because its rounding errors are smallest (Shepperd 1978).
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if an entry of c is infinite or NaN, VM_DOMAIN if c is not
-   a rotation matrix even to two digits (for example a reflection), and VM_OK otherwise. */
+   close to a rotation matrix (for example if c is a reflection), and VM_OK otherwise. */
 VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
 {
     vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
@@ -1625,12 +1627,12 @@ VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
     return VM_OK;
 }
 
-/* Modified Rodrigues parameters of an attitude. They are the unit vector along the axis of the rotation, times the
-   tangent of a quarter of the angle. q and -q are the same attitude; the function uses the one with w >= 0. The angle
-   is then at most pi, and the length of the parameters p is at most 1, apart from rounding. The other set of parameters
-   of the same attitude (the shadow set) is -p/|p|^2. At an angle of pi, where w = 0, both sets have the same length;
-   the result is then (x, y, z)/|q|. The relative error of each component is within 4 eps. If a number of q is infinite
-   or NaN, the result is NaN. */
+/* Modified Rodrigues parameters of an attitude. These three parameters are the components of the unit vector along the
+   axis of the rotation, times the tangent of a quarter of the angle. q and -q are the same attitude; the function uses
+   the quaternion whose w is >= 0. The angle is then at most pi, and the length of the parameters p is at most 1, apart
+   from rounding. The other set of parameters of the same attitude (the shadow set) is -p/|p|^2. At an angle of pi,
+   where w = 0, both sets have the same length; the result is then (x, y, z)/|q|. The relative error of each component
+   is within 4 eps. If a number of q is infinite or NaN, the result is NaN. */
 VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
 {
     vm_real divisor;
@@ -1641,10 +1643,10 @@ VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
     return vmi_over(vmi_quat_vector(q), divisor);
 }
 
-/* The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length. The number
-   w of the result is negative if |p| > 1, where the angle of the rotation is above pi. The relative error of each
-   component of the result is within 8 eps. This holds for w, too, if the angle is close to pi and w is small, because 1
-   - |p|^2 is computed with twice the digits. If a parameter is infinite or NaN, the result is NaN. */
+/* The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length. If the
+   length |p| is above 1, the angle of the rotation is above pi, and w of the result is negative. The relative error of
+   each component of the result is within 8 eps. This holds even for a small w, at an angle close to pi, because the
+   function computes 1 - |p|^2 with twice the digits. If a parameter is infinite or NaN, the result is NaN. */
 VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 {
     vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
@@ -1662,12 +1664,13 @@ VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 #endif
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
-   by theta about its own x axis (the line of nodes), then by phi about its own z axis. The angles of the sequence
-   3-2-1 are yaw, pitch and roll: the body turns by yaw about the z axis, then by pitch about its own y axis, then by
-   roll about its own x axis. This chapter computes
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. The body turns by psi about the z
+   axis, then by theta about its own x axis (the line of nodes), then by phi about its own z axis. The angles of the
+   sequence 3-2-1 are yaw, pitch and roll: the body turns by yaw about the z axis, then by pitch about its own y axis,
+   then by roll about its own x axis. This chapter computes
      - for both sequences, the quaternion of three angles and the three angles of a quaternion,
-     - for 3-1-3, the axes about which the angles turn the body; Lagrange's equations need them as domega/dq'_i,
+     - for 3-1-3, the axes about which the angles turn the body. These axes are the derivatives of the angular velocity
+       omega with respect to psi', theta', phi', which Lagrange's equations need,
      - for 3-1-3, the time derivatives psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_321(VM_C(0.1), VM_C(0.2), VM_C(0.3)); // yaw, pitch, roll
@@ -1706,9 +1709,9 @@ VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
 }
 
 /* A complex number re + i im. Each part is stored in two words, as the sum of two vm_reals. The quaternion of a
-   sequence of three angles is equivalent to two such numbers, p and r. A complex number has a length and an angle. The
-   angle of p is half the sum of the first and the third angle, and the angle of r is half their difference. The lengths
-   of p and r depend on the middle angle alone. */
+   sequence of three angles is equivalent to two complex numbers, p and r. A complex number has a length and an angle.
+   The angle of p is half the sum of the first and the third angle, and the angle of r is half their difference. The
+   lengths of p and r depend on the middle angle alone. */
 typedef struct VM_TAG(vmi_euler_part) {
     vm_two re, im;
 } vmi_euler_part;
@@ -1725,7 +1728,7 @@ VM_API vm_real vmi_euler_scale(vmi_euler_part *p)
     return power;
 }
 
-/* The real part of the product p r if sign is 1, or of p times the conjugate of r if sign is -1. */
+/* The real part of the product p r if sign is 1, or of the product of p and the conjugate of r if sign is -1. */
 VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, vm_real sign)
 {
     const vm_two re = vmi_two_times(p->re, r->re), im = vmi_two_times(p->im, r->im);
@@ -1734,8 +1737,9 @@ VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, 
 
 /* Writes the first and the third angle, both from -pi to pi. The first angle is that of the complex number p r, and the
    third angle is that of p times the conjugate of r. `sum` and `difference` are the imaginary parts of these two
-   numbers. The caller computes them, because they would not be accurate if they were computed from p and r. If p or r
-   is 0 (gimbal lock), only the sum or the difference of the two angles is determined; the third angle is then 0. */
+   numbers. The caller computes the imaginary parts, because they would lose digits if this function computed them from
+   p and r. If p or r is 0 (gimbal lock), only the sum or the difference of the two angles is determined; the third
+   angle is then 0. */
 VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_real sum, vm_real difference,
                                       vm_real *angles)
 {
@@ -1769,7 +1773,7 @@ VM_API vm_quat vmi_euler_normal_size(vm_quat q)
 /* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
    psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi, the line of nodes is not
    determined (gimbal lock), and phi is 0. If q is taken as exact, the relative error of each angle is within 4 eps,
-   close to gimbal lock, too. The rotation by the three angles differs from the rotation by q by at most 8 eps.
+   even close to gimbal lock. The rotation by the three angles differs from the rotation by q by at most 8 eps.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
    otherwise. */
 VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
@@ -1792,7 +1796,7 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 
 /* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
    Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
-   roll is 0. If q is taken as exact, the relative error of each angle is within 4 eps, close to gimbal lock, too. The
+   roll is 0. If q is taken as exact, the relative error of each angle is within 4 eps, even close to gimbal lock. The
    rotation by the three angles differs from the rotation by q by at most 8 eps.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
    otherwise. */
@@ -1904,7 +1908,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T, where E is the unit matrix. It is the inertia about the origin of 1 kg at the point d. */
+/* P(d) = |d|^2 E - d d^T, where E is the unit matrix: the inertia about the origin of a point mass of 1 kg at d. */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -1953,12 +1957,12 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
 /* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
-   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
+   as sums, each entry of i may instead be the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
-   (trace tr, unit matrix E) has no negative eigenvalue. The function adds slack to the trace, so that rounding errors
-   do not matter, and tests whether Gaussian elimination gives positive pivots only. */
+   (trace tr, unit matrix E) has no negative eigenvalue. The function adds `slack` to the trace, so that rounding
+   errors do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
@@ -1982,9 +1986,9 @@ VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass converts
-   an inertia about such a point to that about the mass centre. Returns NaN for a null pointer. A NaN in an argument
-   makes every entry that depends on it NaN. */
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass computes
+   the opposite: the inertia about the mass centre from the inertia about such a point. Returns NaN for a null pointer.
+   A NaN in an argument makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -2000,8 +2004,8 @@ typedef struct VM_TAG(vmi_principal) {
 } vmi_principal;
 
 /* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
-   The columns of v are the axes; they are turned by the same angle. t, c and s are the tangent, cosine and sine of this
-   angle. Of the two angles that are possible, the function uses the smaller one. */
+   The columns of v are the axes; the function turns these columns by the same angle. t, c and s are the tangent,
+   cosine and sine of this angle. Two angles are possible, of which the function uses the smaller one. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -2022,7 +2026,7 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of the tensor i. They are found by Jacobi rotations, which converge quadratically. */
+/* Principal moments and axes of the tensor i, found by Jacobi rotations, which converge quadratically. */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
     const int most_sweeps = 12; /* more than enough, because convergence is quadratic */
@@ -2063,19 +2067,19 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack, in kg
-   m^2. It follows that no moment is below -slack. */
+/* Returns 1 if a body can have the principal moments *p: no moment is larger than the sum of the other two plus
+   `slack`, in kg m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
+/* A sum counts as a mere rounding error if it is below this share of the sum of its terms' absolute values. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
 /* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
-   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
+   entries of the tensor are sums. The entries of *sizes are the sums of the absolute values of the same terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -2083,8 +2087,8 @@ VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *si
 }
 
 /* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
-   smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that sum. Returns 1
-   if a moment changed. */
+   smaller than its rounding error becomes 0. A moment that is larger than the sum of the other two becomes equal to
+   this sum. Returns 1 if a moment changed. */
 VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
     int k, changed = 0;
@@ -2113,9 +2117,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 }
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
-   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
-   can have angular momentum. Returns 1 if the component of h along such an axis exceeds the argument `noise`, else
-   0. */
+   momentum h. A rod or a point has an axis with zero moment, about which no body can have angular momentum. The
+   component of *omega along this axis is that of `before`. Returns 1 if the component of h along such an axis exceeds
+   the argument `noise`, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {
@@ -2134,8 +2138,8 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
 #endif
 /* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy before and after a jump
    A vm_body is a body at an instant: mass, inertia, attitude, position and motion. A vm_body2 is a body that moves in
-   the plane. This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and
-   compares their values before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.
+   the plane. The equations (1)-(3), (7)-(9), (93), (97) of the dissertation [1] give momentum, angular momentum and
+   kinetic energy, and (4)-(6), (10)-(12) compare them before and after a jump. bodies2.h has the plane's functions.
 
        vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
@@ -2178,17 +2182,17 @@ typedef struct VM_TAG(vm_impulse2) {
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* The balance across an instant: total momentum, angular momentum and energy of the bodies after the instant minus
-   those before it. The external impulse and its moment are subtracted, too. If the bodies obey the laws of mechanics,
-   the changes of momentum and angular momentum are therefore zero, except for rounding errors. */
+/* The balance of a jump: the total momentum, angular momentum and energy of the bodies after the jump, minus the
+   totals of the bodies before the jump. The external impulse and its moment are also subtracted. Therefore the changes
+   of momentum and angular momentum are zero, except for rounding errors, if the bodies obey the laws of mechanics. */
 typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
-    vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
+    vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the impulse's size, N s */
     /* The rounding error of angular_momentum is a few eps times this scale, N m s. The scale is the sum over all bodies
        of tr(I) |omega| + (|r| + |r - about|) M |v|, plus a term for the impulse. A body has the inertia I (trace
        tr(I)), the mass M, the position r, the velocity v and the angular velocity omega; `about` is the point of the
-       moments. The term |r| M |v| is there because r has the rounding error eps |r|. */
+       moments. The term |r| M |v| belongs to the scale because r has the rounding error eps |r|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -2229,8 +2233,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- conversion of bodies between the plane and space ---- */
 
-/* Converts a body that moves in the plane to a body in space, with inertial axes as its body axes. Only the entry zz of
-   its inertia is set, because motion in the plane needs no other entry. */
+/* Converts a body that moves in the plane to a body in space. The body axes of the result are parallel to the inertial
+   axes. Only the entry zz of its inertia is set, because motion in the plane needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -2242,7 +2246,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body in space to a body that moves in the plane, with this angle. Other motion is ignored. */
+/* Converts a body in space to a body in the plane with the given angle. Motion out of the plane is ignored. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -2377,12 +2381,12 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance gets the sums over the n_after bodies
-   after the instant, minus the sums over the n_before bodies before it, minus the impulse, (4)-(6), (10)-(12). If no
-   momentum is lost, the changes of momentum and of angular momentum about any point are zero except for rounding
-   errors, which are a few eps times momentum_scale and angular_momentum_scale. Either number of bodies may be 0. The
-   bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of bodies, VM_NOT_FINITE if a
-   sum is not finite, and VM_OK otherwise. */
+/* Balance of momentum, angular momentum and energy before and after a jump. *balance gets the sums over the n_after
+   bodies after the jump, minus the sums over the n_before bodies before the jump, minus the impulse, (4)-(6),
+   (10)-(12). If the motions obey the laws of mechanics, the changes of momentum and of angular momentum about any
+   point are zero except for rounding errors, which are a few eps times momentum_scale and angular_momentum_scale.
+   Either number of bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a
+   negative number of bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {
@@ -2400,8 +2404,8 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 
 #endif
 /* mechanics/bodies2.h - momentum and energy of bodies in the plane, and their conversion to bodies in space
-   In the plane, (35)-(39), a body has one moment of inertia and one angular velocity. The type of such a body,
-   vm_body2, is in bodies.h.
+   In the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
+   dissertation [1]. The type of such a body, vm_body2, is in bodies.h.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
        vm_real T = vm_kinetic_energy2(&plate);      // (2 3^2 + 0.1 8^2)/2 = 12.2 J
@@ -2443,32 +2447,32 @@ VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 
 #endif
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, as given by
-   (13)-(15), (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of
-   parts may separate or be attached at once.
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, by the equations
+   (13)-(15), (24), (33), (34), (40) of the dissertation [1]. The attitude stays the same. An impulse may act at the
+   same instant. Any number of parts may separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
-   Jumps in the plane are in jumps2.h, and jumps that are given by relative motions in relative.h. The inverse question
-   (how must a part leave?) is in inverse.h, and the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c,
-   tests/test_jump_equations.c. */
+   The functions for jumps in the plane are in jumps2.h. For parts whose motion is known relative to the body, use
+   relative.h. Functions in inverse.h find how a part must leave, so that the rest moves as wanted. The energy of a
+   jump is in jump_energy.h. Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS_H
 #define VARMASS_MECHANICS_JUMPS_H
 
-/* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
-   at r. For the other body these quantities are m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or
-   separates from it (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at
-   r1. Each inertia is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the
-   unit matrix, and P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
+/* How a jump is computed. A body has the mass M, the velocity v, the inertia I, the angular velocity omega and the
+   mass centre S at r. Another body, with m, v2, I2, omega2 and S2, is attached to the first body (sign = 1) or
+   separates from it (sign = -1). After the jump the first body has the mass M1 = M + sign m, and v1, I1, omega1, and
+   S1 at r1. Each inertia is about the body's own mass centre. The vector d leads from S to S2. x is the cross product,
+   E the unit matrix, and P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
    A separation is therefore computed as an attachment of negative mass and inertia.
 
    These equations also hold in a frame that moves, and turns with any angular velocity Omega, if all omegas and v2 - v
    are taken relative to the frame (42). The code uses a frame in which terms that cancel are small, so that few digits
-   are lost: it moves with the heaviest body, and at a separation it also turns with the whole. */
+   are lost. This frame moves with the heaviest body, and at a separation it also turns with the whole. */
 enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters named `sign` */
 
 /* The frame of a jump */
@@ -2511,8 +2515,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 }
 
 /* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is the difference of two positions;
-   `reach` contains, for each coordinate, the sum of the absolute values that enter this difference. The errors of P(d)
-   are a few eps times *sizes. */
+   `reach` contains, for each coordinate, the sum of the absolute values of all numbers from which the difference is
+   computed. The errors of P(d) are a few eps times *sizes. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -2530,9 +2534,9 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when the lump b joins or leaves the lump a (the field `noise` measures rounding
-   errors). The result is b->noise plus the absolute values of the terms of the product reduced (d x slip), where `slip`
-   is the velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and `slip`. */
+/* Returns by how much a->noise, the measure of rounding errors, grows when the lump b joins or leaves the lump a. The
+   result is b->noise plus the absolute values of the terms of the product reduced (d x slip), where `slip` is the
+   velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and `slip`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -2689,20 +2693,20 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
 /* Separation of a part from a body: *rest is what remains of the whole. The caller sets v and omega of *part to the
    motion after the separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular
    velocity (34) of *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation.
-   The law is exact in three dimensions: momentum and angular momentum of rest and part together are those of the whole
-   plus the impulse. The pointer rest may be equal to whole or to part.
+   The equations are exact in three dimensions: the momentum of rest and part together is that of the whole plus the
+   impulse, and the same holds for angular momentum. The pointer rest may be equal to whole or to part.
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
-   At high speed or far from the origin the rest's omega loses no digits, because only motions relative to the whole are
-   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
-   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the rest
-   that is below this error becomes 0.
+   The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole
+   are added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are
+   at a distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the
+   rest that is below this error becomes 0.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a rod or a point, which
-   has an axis without inertia, but that the equations demand angular momentum about this axis. *rest then turns about
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
+   axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about
    this axis as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the
    result is infinite or NaN; VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA for
-   an inertia that no body can have. The rest has such an inertia if the part cannot have been in the whole. */
+   an inertia that no body can have. If the part cannot have been in the whole, the rest has an impossible inertia. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
@@ -2719,8 +2723,8 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
 }
 
 /* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
-   vm_separate, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_separate. For n < 0 the status is VM_BAD_ARGUMENT. */
+   vm_separate, one after the other, give the same result if only one of them gets the impulse. For n = 0 only the
+   impulse acts on the body. The statuses are those of vm_separate, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -2728,8 +2732,8 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 }
 
 /* Attachment of n bodies to a body at once: *whole is the body that all of them form together. Except for rounding
-   errors, n calls of vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the
-   body. The statuses are those of vm_attach. For n < 0 the status is VM_BAD_ARGUMENT. */
+   errors, n calls of vm_attach, one after the other, give the same result if only one of them gets the impulse. For
+   n = 0 only the impulse acts on the body. The statuses are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -2749,8 +2753,8 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
 }
 
 /* Sets *joined to the inertia, and *centre to the mass centre, of a body after another body has joined it (sign = 1) or
-   left it (sign = -1). The mass centre of the first body is at the origin, that of the other body at d. The first body
-   has the mass mass_a and the inertia *a, the other body mass_b and *b. */
+   left it (sign = -1). The mass centre of the first body is at the origin, and the mass centre of the other body is at
+   d. The first body has the mass mass_a and the inertia *a. The other body has the mass mass_b and the inertia *b. */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -2767,10 +2771,10 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
-   set of axes, and each is about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The
-   result *centre (m) leads from the mass centre of a to the common mass centre. Returns VM_BAD_ARGUMENT for a null
-   pointer; VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA under the conditions of vm_attach; VM_OK otherwise. */
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). The axes of all inertias (kg m^2)
+   are parallel, and each inertia is about its body's own mass centre. d (m) leads from the mass centre of a to that of
+   b. The result *centre (m) leads from the mass centre of a to the common mass centre. Returns VM_BAD_ARGUMENT for a
+   null pointer; VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA under the conditions of vm_attach; VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {
@@ -2789,9 +2793,10 @@ VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_
 
 #endif
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
-   This chapter computes the jumps of jumps.h for motion in the plane, (35)-(39). A body in the plane has one moment of
-   inertia and one angular velocity. The functions here use those of jumps.h to join the masses. Only the last step,
-   from angular momentum to angular velocity, is different in the plane.
+   This chapter computes the jumps of jumps.h for motion in the plane, by the equations (35)-(39) of the dissertation
+   [1]. A body in the plane has one moment of inertia and one angular velocity. The functions here use the functions of
+   jumps.h to join or separate the masses. Only the last step, from angular momentum to angular velocity, is different
+   in the plane.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
        int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
@@ -2894,11 +2899,12 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
 
 /* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). The caller sets vx, vy
    and omega of *part to the motion after the separation. The impulse, if there is one, acts during the separation.
-   Momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
-   be equal to whole or to part. The accuracy is that of vm_separate.
+   The total momentum of rest and part is the momentum of the whole plus the impulse, and their total angular momentum
+   is that of the whole plus the moment of the impulse. The pointer rest may be equal to whole or to part. The accuracy
+   is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS, a warning, means that the rest is a point without inertia,
-   but that the balance of angular momentum leaves it a spin, which a point cannot have. *rest then has the result, with
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS is a warning: the rest is a point without inertia, but the
+   equations demand angular momentum of the point about itself, which a point cannot have. *rest is then set, with
    omega = whole->omega.
    The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
    VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA if an inertia, that of the rest
@@ -2912,8 +2918,8 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
 /* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together.
    Before the call, set the fields vx, vy and omega of both bodies, *body and *added, to their values just before the
    impact. The impulse, if there is one, acts during the impact. The whole has the angle of `body`. The statuses are
-   those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one position, and that the impulse would turn
-   them; the omega of the whole is then that of `body`. */
+   those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one position, to which the impulse would
+   give angular momentum. The omega of the whole is then that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
@@ -2921,17 +2927,19 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
 }
 
 /* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
-   of vm_separate2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
-   statuses are those of vm_separate2. For n < 0 the status is VM_BAD_ARGUMENT. */
+   of vm_separate2, one after the other, give the same result if the impulse is passed to only one of these calls. With
+   n = 0 only the impulse acts on the body. The statuses are those of vm_separate2. For n < 0 the status is
+   VM_BAD_ARGUMENT. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is the body that all of them form together. Except for
-   rounding errors, n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts
-   on the body. The statuses are those of vm_attach2. For n < 0 the status is VM_BAD_ARGUMENT. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is the body that all of them form together. Except
+   for rounding errors, n calls of vm_attach2, one after the other, give the same result if the impulse is passed to
+   only one of these calls. With n = 0 only the impulse acts on the body. The statuses are those of vm_attach2. For n <
+   0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {
@@ -2940,9 +2948,9 @@ VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, co
 
 #endif
 /* mechanics/relative.h - motion relative to a moving body, and jumps computed from relative motions
-   This chapter computes the motion of one body relative to another body, in a frame that moves and turns with the other
-   body, (25), (26), (41). It also computes jumps from such relative motions, (28)-(31), (42)-(44). Use these functions
-   if you know only the velocity of a part relative to the whole.
+   This chapter computes the motion of one body relative to another body, that is, in a frame that moves and turns with
+   the other body, by the equations (25), (26), (41) of the dissertation [1]. It also computes jumps from such relative
+   motions, (28)-(31), (42)-(44). Use these functions if you know only the velocity of a part relative to the whole.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
@@ -3046,8 +3054,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump; the motions before and after it are relative to `body`. In its own frame `body` is at rest, and the
-   equations of a jump have the same form as in an inertial frame. */
+/* Computes a jump; the motions before and after the jump are relative to `body`. In the frame that moves and turns
+   with `body`, this body is at rest, and the equations of a jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -3058,8 +3066,8 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Computes a jump in the plane; the motions before and after it are given relative to `body`, which is at rest in its
-   own frame. */
+/* Computes a jump in the plane. The motions before and after the jump are given in the frame that moves and turns with
+   `body`, in which `body` is at rest before the jump. */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -3071,8 +3079,8 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
 }
 
 /* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of the result
-   *rest are relative to the whole, so that v and omega of *whole are not read. In every other respect, its statuses
-   included, the function works like vm_separate. */
+   *rest are relative to the whole; the function does not read v and omega of *whole. In every other respect, its
+   statuses included, the function works like vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
@@ -3080,8 +3088,8 @@ VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const
 }
 
 /* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of the
-   result *whole are relative to `body`, so that v and omega of *body are not read. In every other respect, its statuses
-   included, the function works like vm_attach. */
+   result *whole are relative to `body`; the function does not read v and omega of *body. In every other respect, its
+   statuses included, the function works like vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
@@ -3089,8 +3097,8 @@ VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const v
 }
 
 /* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of the result *rest
-   are relative to the whole, so that vx, vy and omega of *whole are not read. In every other respect, its statuses
-   included, the function works like vm_separate2. */
+   are relative to the whole; the function does not read vx, vy and omega of *whole. In every other respect, its
+   statuses included, the function works like vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
@@ -3098,8 +3106,8 @@ VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, co
 }
 
 /* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of the result
-   *whole are relative to `body`, so that vx, vy and omega of *body are not read. In every other respect, its statuses
-   included, the function works like vm_attach2. */
+   *whole are relative to `body`; the function does not read vx, vy and omega of *body. In every other respect, its
+   statuses included, the function works like vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {
@@ -3108,7 +3116,7 @@ VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, cons
 
 #endif
 /* mechanics/inverse.h - how a part must leave, so that the rest moves as wanted
-   This chapter inverts a separation. It answers the questions of Tables 2 to 4 of the dissertation [1]: with which
+   This chapter inverts a separation. It answers the questions of Tables 2 to 4 of the dissertation [1]: With which
    motion must a part leave so that the rest does not turn, is at rest, or moves on as the whole did?
 
        vm_vec3 none = {0, 0, 0};
@@ -3184,13 +3192,14 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
    with another motion. The velocity of *moving makes the rest move at the velocity *rest_v_or_NULL (m/s), and its
    angular velocity makes the rest turn with the angular velocity *rest_omega_or_NULL (rad/s). If one of these two
    pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part.
-     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2 of [1], cases 5 and 7; Table 4, case 2).
-     - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
-     - If both are equal to the velocity and the angular velocity of the whole, the rest moves on as the whole did
-     (Table 3, case 7).
+     - If *rest_omega_or_NULL is the vector 0, the rest does not turn (Table 2 of [1], cases 5 and 7; Table 4, case 2).
+     - If *rest_v_or_NULL is also the vector 0, the rest does not move at all (Table 3, cases 6 and 8).
+     - If these two vectors are equal to the velocity and the angular velocity of the whole, the rest moves on as the
+       whole did (Table 3, case 7).
 
-   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. *moving
-   then brings the rest as close to the wanted motion as possible. The other statuses are those of vm_separate. */
+   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. In
+   this case the part cannot have this angular momentum, and *moving brings the rest as close to the wanted motion as
+   possible. The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
@@ -3335,8 +3344,8 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
 #endif
 /* mechanics/jump_energy.h - the kinetic energy that bodies gain or lose in a jump
    Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds the kinetic
-   energy that the bodies have relative to the whole, and an attachment takes this energy away: (113), (118), Carnot's
-   theorem.
+   energy that the bodies have relative to the whole, and an attachment takes this energy away. This is Carnot's
+   theorem, equations (113) and (118) of the dissertation [1].
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -3363,7 +3372,7 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
 }
 
 /* Work of an impulse on a body, J. It is v.linear + omega.moment. v and omega are the velocity and angular velocity of
-   the body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
+   the body; `moment` is the moment of the impulse about the body's mass centre. Returns 0 for a null pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -3375,8 +3384,8 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 /* Energy gained at a separation, J: the kinetic energy of the n parts and of the rest, minus that of the whole (113),
    (118). It is computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external
    impulse on the whole (0 without an impulse). Without rounding errors this sum equals the difference of the energies.
-   But at high speed the difference would lose digits. `whole` is the body before the separation; `parts` and `rest` are
-   the bodies after it. Returns NaN for a null pointer or n < 0. */
+   The difference itself would lose digits at high speed. `whole` is the body before the separation; `parts` and `rest`
+   are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
@@ -3396,11 +3405,12 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 #endif
 /* mechanics/axle.h - jumps of a body that turns about a fixed axle
 
-   A body on a fixed axle can only turn about it. When a part separates from the body, or another body is attached to
-   it, the axle exerts an impulse on it. Therefore only the balance of the angular momentum about the axle determines
-   the motion. This generalizes the pendulum of (119)-(132) to a body and an axle of any shape, place and direction.
-   The results are the motion of the body after the jump and the impulse of the axle. With n = 0 parts, the functions
-   compute the motion of a body after an impulse has hit it, or after an axle has caught it in flight.
+   A body on a fixed axle can only turn about this axle. When a part separates from the body, or another body is
+   attached to it, the axle exerts an unknown impulse on the body. Therefore only the balance of the angular momentum
+   about the axle determines the motion. The pendulum of the equations (119)-(132) of the dissertation [1] is a special
+   case. Here the body may have any shape, and the axle any position and direction. The results are the motion of the
+   body after the jump and the impulse of the axle. With n = 0 parts, the functions compute the motion of a body after
+   an impulse has hit it, or after an axle has caught it in flight.
 
        vm_axle hinge = {{0, 0, 0}, {0, 0, 1}};                       // through the origin, along z
        vm_body door = {20, {2, 2, 2, 0, 0, 0}, {1, 0, 0, 0}, {0.5, 0, 0}, {0, 1, 0}, {0, 0, 2}};
@@ -3410,13 +3420,14 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 
    The equations. e is the unit vector along the axle, which passes through the point O. All motions are measured in a
    frame that turns about the axle at the rate w = e . omega, where omega is the angular velocity of the body before the
-   jump. The balances of momentum and angular momentum hold in this frame, too (42). If the body turned about the axle
-   before the jump, it was at rest in this frame. Let P be the sum of the momenta of the body before the jump, of all
-   bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta about O.
-   Let I be the inertia of the body after the jump about O. Then the jump increases the angular velocity w of the body
-   about the axle by (e . L)/(e . I e). The axle exerts the impulse M1 v1 - P at O, where M1 is the mass of the body
-   after the jump and v1 the velocity of its mass centre in the frame. The axle also exerts a couple, which is
-   orthogonal to the axle.
+   jump. The balances of momentum and angular momentum have the same form in this frame as in an inertial frame (42).
+   If the body turned about the axle before the jump, it was at rest in this frame. Let P be the momentum of the body
+   before the jump, plus the momenta of the bodies that join, minus those of the bodies that leave, plus the external
+   impulse. Let L be the corresponding sum of the angular momenta about O and of the moment of the impulse. Let I be
+   the inertia of the body after the jump about O. Then the jump increases the angular velocity w of the body about the
+   axle by (e . L)/(e . I e). The axle exerts the impulse M1 v1 - P at O, where M1 is the mass of the body after the
+   jump and v1 the velocity of its mass centre in the frame. The axle also exerts a couple, which is orthogonal to the
+   axle.
    Tests: tests/test_axle.c. */
 #ifndef VARMASS_MECHANICS_AXLE_H
 #define VARMASS_MECHANICS_AXLE_H
@@ -3424,7 +3435,7 @@ VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, 
 /* A fixed axle without friction */
 typedef struct VM_TAG(vm_axle) {
     vm_vec3 at;   /* a point O of the axle, m */
-    vm_vec3 axis; /* its direction, of any length > 0; angular velocities are positive about it */
+    vm_vec3 axis; /* direction of the axle, a vector of any length > 0; positive rotations are right-handed about it */
 } vm_axle;
 
 /* The sums P and L of the equations above, relative to the turning frame: `linear` is the momentum P (N s), and
@@ -3434,7 +3445,7 @@ typedef struct VM_TAG(vmi_axle_sum) {
     vm_vec3 linear, angular, arm;
 } vmi_axle_sum;
 
-/* The angular momentum of a body that turns with the angular velocity omega, about its own mass centre */
+/* The angular momentum, about the mass centre of a body, that the body has if its angular velocity is omega */
 VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -3453,7 +3464,7 @@ VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, v
 
 /* The vector from the point O to the mass centre of a body after the jump. `mass` is the mass of the body after the
    jump. The function adds only differences of positions. Far from the origin the position of the new mass centre would
-   be rounded, and its difference from O would lose digits. */
+   be rounded, so that its difference from O would lose digits. */
 VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body *others, vm_real sign, vm_real mass)
 {
     vm_vec3 shift = {0, 0, 0};
@@ -3533,12 +3544,13 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
    `parts` must contain the motions that the parts have after the separation. The external impulse, if there is one,
    acts during the separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point
    axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the motion
-   of the rest does not change. With n = 0 only the impulse acts. If the whole did not turn about the axle before the
-   separation, the axle catches it at this instant. The error of the angular velocity is a few eps times s divided by
-   the inertia about the axle. Here s is the sum of the absolute values of the terms of e . L; e and L are explained at
-   the top of mechanics/axle.h. Returns VM_OK, an error status of vm_separate_all, VM_DOMAIN if axle->axis is 0, and
-   VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but would need angular momentum about it. The rest then
-   turns as the whole did. The pointer `rest` may be equal to `whole`. */
+   of the rest does not change. With n = 0 no part leaves, and only the impulse acts. If the whole did not turn about
+   the axle before the separation, the axle catches the body at the instant of the separation. The error of the angular
+   velocity is a few eps times s divided by the inertia about the axle. Here s is the sum of the absolute values of the
+   terms of e . L; e and L are explained at the top of mechanics/axle.h. Returns VM_OK, an error status of
+   vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but
+   would need angular momentum about it. In the last case the rest turns as the whole did. The pointer `rest` may be
+   equal to `whole`. */
 VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
                                const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
 {
@@ -3560,15 +3572,15 @@ VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, co
    The rotor is a disc on a massless elastic shaft and moves in a plane. A torque drives it, and its rotation is damped
    viscously (section 3.3.2 of the dissertation [1]). Before the break the shaft passes through the rotor's mass centre
    (s = 0). After the break the shaft's centre is at the distance s from the mass centre of the remainder. This chapter
-   has the equations of motion (46), (65)-(68), their polar form (75), and the equations of the break (52)-(64),
-   corrected as in docs/errata.md. The motion in closed form is in mechanics/broken_rotor_motion.h, and the stability of
-   the remainder's steady motion is in mechanics/broken_rotor_stability.h.
+   has the equations of motion (46), (65)-(68) of [1], their polar form (75), and the equations of the break (52)-(64),
+   corrected as in docs/errata.md. The motion in closed form is in mechanics/broken_rotor_motion.h, and the stability
+   of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
        vm_broken_rotor_break result;
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
-       int status = vm_broken_rotor_break_off(&whole, y, &piece, &result); // result.rest moves on from result.state
+       int status = vm_broken_rotor_break_off(&whole, y, &piece, &result); // result.rest starts from result.state
 
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_H
@@ -3626,8 +3638,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */
     /* The state of the remainder just after the break. The remainder's angle psi is the angle of SS2, because the line
-       from S1 to the shaft's centre is parallel to SS2. Its angular velocity is spin_rest plus the angular velocity
-       Omega_b of the whole before the break [(59), (64) corrected]. */
+       from S1 to the shaft's centre is parallel to SS2. The remainder's angular velocity is spin_rest plus the angular
+       velocity Omega_b of the whole before the break [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2, the piece's mass centre, before the break (52), m/s */
@@ -3641,14 +3653,16 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
                                               velocity of S2 before the break, m/s. T > 0 means counterclockwise; (55)
                                               has the opposite sign. */
     vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), the angular velocity of the piece after the
-                                              break minus that of the whole before it, rad/s; AS2 is a distance */
-    vm_real spin_rest;                     /* Omega_r1, the angular velocity of the remainder after the break minus that
-                                              of the whole before it, rad/s. I_S1 Omega_r1 is m M/(M - m) times
-                                              the cross product SS2 x v_T, minus I_S2 Omega_r. v_T is the part of the
-                                              velocity of S2 perpendicular to S2A [(58) corrected]. */
-    vm_real stop_inertia;                  /* the inertia I_S2 of the piece for which the remainder would stop turning,
-                                              kg m^2. If the value is < 0 or not finite, no such inertia exists. For
-                                              alpha = 0 the value is I_S (R - SS2)/R [after (64), corrected]. */
+                                              break minus that of the whole before the break, rad/s; AS2 is the
+                                              distance of A from S2 */
+    vm_real spin_rest;                     /* Omega_r1, the angular velocity of the remainder after the break minus
+                                              that of the whole before the break, rad/s. I_S1 Omega_r1 is m M/(M - m)
+                                              times the cross product SS2 x v_T, minus I_S2 Omega_r. v_T is the part of
+                                              the velocity of S2 perpendicular to S2A [(58) corrected]. */
+    vm_real stop_inertia;                  /* If the piece had this inertia I_S2, kg m^2, the remainder would not turn
+                                              after the break. If the value is < 0 or not finite, no such inertia
+                                              exists. For alpha = 0 the value is I_S (R - SS2)/R [after (64),
+                                              corrected]. */
 } vm_broken_rotor_break;
 
 /* Returns VM_OK if all fields of the rotor are finite and have the signs that vm_broken_rotor demands, else the
@@ -3814,8 +3828,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets the fields of the remainder *rest, among them its mass, its inertia and its s. Returns VM_BAD_INERTIA if its
-   inertia is negative or not larger than rounding errors, else VM_OK. */
+/* Sets the fields of the remainder *rest, among them mass, inertia and s. Returns VM_BAD_INERTIA if the inertia of the
+   remainder is negative or not larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -3860,8 +3874,8 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
    - VM_NOT_FINITE if an argument, or a field of *result other than stop_inertia, is infinite or NaN;
    - VM_BAD_MASS if the mass of the piece is not between 0 and the mass of the whole;
    - VM_BAD_STIFFNESS if the stiffness is negative;
-   - VM_BAD_INERTIA if the inertia of the whole is not positive, if that of the piece is negative, or if that of the
-     remainder is negative or not larger than rounding errors;
+   - VM_BAD_INERTIA if the inertia of the whole is not positive, if the inertia of the piece is negative, or if the
+     inertia of the remainder is negative or not larger than rounding errors;
    - VM_DOMAIN if the whole has s != 0, or if the piece's mass centre is at the point of contact A;
    - VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,
@@ -3906,11 +3920,11 @@ VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
    This chapter computes the state of the rotor after a given time without an integrator. Before the break the shaft
-   passes through the mass centre, and the solution (46)-(51) is exact (vm_broken_rotor_free_motion). After the break
-   the linearised equations (69) are a good approximation for short times, while the angle psi of the remainder is
-   small. vm_broken_rotor_linear solves these equations completely. vm_broken_rotor_linear_uncoupled has the solution
-   (70)-(72) of the dissertation [1], which leaves out the term s p^2 omega^2 y. For long times integrate
-   vm_broken_rotor_rhs.
+   passes through the mass centre, and the solution (46)-(51) of the dissertation [1] is exact
+   (vm_broken_rotor_free_motion). After the break the linearised equations (69) are a good approximation for short
+   times, while the angle psi of the remainder is small. vm_broken_rotor_linear solves all three equations.
+   vm_broken_rotor_linear_uncoupled has the solution (70)-(72), which leaves out the term s p^2 omega^2 y of the third
+   equation. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
@@ -3953,8 +3967,8 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* Returns an upper bound, in 1/s, of the rates at which solutions of the linearised equations grow, decay or oscillate.
-   The Taylor series of vmi_broken_rotor_series converges fast for times up to 1/(this bound). */
+/* Returns an upper bound, in 1/s, of the rates at which solutions of the linearised equations grow, decay or
+   oscillate. For times up to 1 divided by this bound, the Taylor series of vmi_broken_rotor_series converges fast. */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
@@ -3991,11 +4005,11 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* Replaces the matrix m for some time by the matrix for twice this time. m describes how the states z change within its
-   time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The last row of
-   m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E converts the
-   states at the start into the states at the end of the time. The matrix for twice the time is therefore (m + E)^2 - E
-   = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
+/* Replaces the matrix m for some time by the matrix for twice this time. m describes how the states z change within
+   this time. Row m[j] is the change of the states without torque, if z[j] = 1 and all other z = 0 at the start. The
+   last row of m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E
+   converts the states at the start into the states at the end of the time. The matrix for twice the time is therefore
+   (m + E)^2 - E = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -4062,8 +4076,8 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields are the
-   limits of these functions as w tends to 0. */
+/* The values, at the time t, of functions that describe a free oscillation with the angular frequency w. For w = 0 the
+   fields are the limits of these functions as w tends to 0. */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -4090,12 +4104,12 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
 }
 
 /* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
-   Where the dissertation [1] has k* Omega, this function has M*. This function is used if |t| times
-   vmi_broken_rotor_rate exceeds 1. Let w = omega and k = k*. The initial angle is psi0, and its initial rate is rate0.
-   Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the
-   derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the
-   response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and
-   w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+   The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if |t|
+   times vmi_broken_rotor_rate exceeds 1. Let w = omega and k = k*. The initial angle is psi0, and its initial rate is
+   rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt)
+   is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2
+   give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1
+   for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -4157,10 +4171,10 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 /* State of the remainder t seconds after the state `start`, by the complete linearised equations (69).
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
-   as start. The fields damping, stiffness and s may be 0. If all inputs, t included, were rounded, the result would
-   change; the error of the function is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer;
-   VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the
-   inertia of the rotor is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
+   as start. The fields damping, stiffness and s may be 0. Rounding of all inputs, t included, would change the result;
+   the error of the function is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if
+   an argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor
+   is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
@@ -4168,8 +4182,8 @@ VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const
 
 /* State of the remainder t seconds after the state `start`, by the solution (70)-(72), which lacks one term of (69).
    The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. Use this
-   function only to compare [1] with vm_broken_rotor_linear. If all inputs were rounded, the result would change; the
-   error of the function is at most this change. The arguments and the statuses are those of vm_broken_rotor_linear. */
+   function only to compare [1] with vm_broken_rotor_linear. Rounding of all inputs would change the result; the error
+   of the function is at most this change. The arguments and the statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
@@ -4177,8 +4191,8 @@ VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_rea
 
 /* State of the unbroken rotor t seconds after the state `start`, by the exact solution (46)-(51).
    t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
-   start. The fields damping and stiffness may be 0. If all inputs, t included, were rounded, the result would change;
-   the error of the function is at most this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   start. The fields damping and stiffness may be 0. Rounding of all inputs, t included, would change the result; the
+   error of the function is at most this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
    argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is
    not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_DOMAIN if s is not 0; VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
@@ -4189,8 +4203,8 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are exact (46) */
 }
 
-/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m. They are written to the array abcd of 4
-   numbers. The orbit of the mass centre is, with w^2 = stiffness/mass and w > 0,
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m. The function writes these constants to the
+   array abcd of 4 numbers. The orbit of the mass centre is, with w^2 = stiffness/mass and w > 0,
      x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t).                                                   (50)
    Its semi-axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed of the mass centre at
    the time t, which the dissertation [1] prints wrongly after (52), is
@@ -4223,12 +4237,12 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 /* mechanics/broken_rotor_stability.h - steady motion of the broken rotor, its stability, growth at resonance
 
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
-   circle (76), (77). This chapter computes
+   circle, as in the equations (76), (77) of the dissertation [1]. This chapter computes
      - the radius of this circle,
      - the characteristic polynomial (81) of small deviations from the steady motion, its roots, and the first column of
      Routh's scheme,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
-     - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
+     - the radius of the growing orbit of a rotor that starts from rest, if its torque drives it at or above resonance.
    In the formulas, omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia, and s is the field s of the
    rotor. At resonance |Omega| = omega.
 
@@ -4242,8 +4256,8 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 
 #include <string.h>
 
-/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. It is computed as the sum of
-   two numbers, so that its sign is right even if the rotor turns very close to resonance. */
+/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. The function computes it with
+   twice the digits, so that the sign is right even if the rotor turns very close to resonance. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -4267,8 +4281,8 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     return -rotor->s * (share / (1 - share));
 }
 
-/* The quantities in the polynomial of vm_broken_rotor_characteristic, where D and G are explained: w2 = omega^2, O2 =
-   Omega^2, k = k*, D and G */
+/* The quantities w2 = omega^2, O2 = Omega^2, k = k*, D and G in the polynomial of vm_broken_rotor_characteristic. The
+   comment of that function explains D and G. */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
@@ -4301,11 +4315,12 @@ enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ }
    of the polynomial. The array c gets the VM_BROKEN_ROTOR_ROOTS + 1 coefficients of the polynomial, that of the highest
    power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this polynomial,
-   but its last term is printed without the factor l^2. (81) has the additional root l = 0 because the phase of the
-   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is
-   infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is not positive;
-   VM_BAD_STIFFNESS if the stiffness is negative; VM_DOMAIN at resonance, where O^2 = w^2; VM_OK otherwise. */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this
+   polynomial, but the last term of (81) is printed without the factor l^2. The corrected (81) has the additional root
+   l = 0 because the phase of the steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE
+   if an argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the
+   rotor is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_DOMAIN at resonance, where O^2 = w^2; VM_OK
+   otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -4325,7 +4340,8 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
 
 /* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. The function
    writes these VM_BROKEN_ROTOR_ROOTS + 1 numbers to the array `column`. The steady motion is asymptotically stable if
-   all of them are positive. vm_broken_rotor_characteristic explains the letters k*, G, D and has the same statuses. */
+   all these numbers are positive. vm_broken_rotor_characteristic explains the letters k*, G, D and has the same
+   statuses. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -4345,8 +4361,8 @@ VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm
 
 /* Tests whether the steady motion at psi' = Omega is asymptotically stable (82).
    Returns 1 if Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together are the condition for stability.
-   Returns 0 otherwise, and also for a null pointer and an invalid rotor. (If damping, s or Omega is 0, some motions
-   neither grow nor decay.) */
+   Returns 0 otherwise, and also for a null pointer and an invalid rotor. (If damping, s or Omega is 0, some small
+   deviations from the steady motion neither grow nor decay.) */
 VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
 {
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
@@ -4356,8 +4372,8 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|. In a pair of
    conjugate roots, the root with im > 0 comes first. If each coefficient changed by the relative amount eps, each root
-   would change; the error of a root is at most twice this change. This holds for the smallest root, too, which near
-   resonance is smaller than the largest root by many orders of magnitude. The statuses are those of
+   would change; the error of a root is at most twice this change. This holds even near resonance for the smallest
+   root, which is there smaller than the largest root by many orders of magnitude. The statuses are those of
    vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
@@ -4430,10 +4446,10 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
      R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the second term of an expansion of r for large r/|s|, whose first term is R. Terms of order s^2/r and the
-   time until psi' reaches omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m,
-   omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the radius of the numerically
-   integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
+   For large r/|s| the radius r can be expanded in a series, whose first term is R and whose second term is |s|/4.
+   Terms of order s^2/r and the time until psi' reaches omega are neglected. The resulting error is small: for the
+   rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the
+   radius of the numerically integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
    Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
    R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
@@ -4457,8 +4473,9 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 #endif
 /* mechanics/generalized_force.h - generalized forces from forces and moments
 
-   This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
-   For jumps the same function is called with momenta and impulses instead of forces and moments (lagrange_jump.h).
+   This chapter computes the generalized forces of a force and a moment, by equation (235) of the dissertation [1].
+   Lagrange's equations (lagrange.h) need these generalized forces. For jumps the same function is called with momenta
+   and impulses instead of forces and moments (lagrange_jump.h).
 
        vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
        vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
@@ -4477,7 +4494,8 @@ VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm
 
    For external loads, use their resultant force and their moment about r. For a stream with the mass rate M' (kg/s),
    the velocity u and the angular velocity omega2, use the force M' u at the point where the mass enters or leaves, and
-   the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
+   the moment M' kappa omega2. kappa is the inertia of the stream's mass per unit mass, about the mass centre of this
+   mass. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {
@@ -4494,19 +4512,19 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
 #endif
 /* mechanics/lagrange_jump.h - Lagrange's equations for a jump
 
-   This chapter computes generalized velocities qdot after a part separates from a system or is attached to it in an
-   instant (96), and after an impact. A mass matrix is an array of n*n numbers, row after row. Velocities, momenta and
-   impulses are arrays of n numbers. For rigid bodies, vm_lagrange_mass and vm_lagrange_momentum compute matrices and
-   momenta from dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i, (87)-(90). Here v is the velocity of a body's mass
-   centre and omega the body's angular velocity, both along inertial axes.
+   This chapter computes generalized velocities qdot just after a part separates from a system or is attached to it, by
+   equation (96) of the dissertation [1], and just after an impact. A mass matrix is an array of n*n numbers, row after
+   row. Velocities, momenta and impulses are arrays of n numbers. For rigid bodies, vm_lagrange_mass and
+   vm_lagrange_momentum compute matrices and momenta from dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i, (87)-(90).
+   Here v is the velocity of a body's mass centre and omega the body's angular velocity, both along inertial axes.
 
        vm_real before[4] = {3, 0, 0, 5}, after[4] = {2, 0, 0, 5}; // mass matrices, as vm_lagrange_mass makes them
        vm_real part[2] = {4, 0}, qdot[2] = {1, 1};                // momenta of the part, velocities of the system
        vm_real work[VM_LAGRANGE_WORK(2)];
        int status = vm_lagrange_separate(2, before, after, qdot, part, NULL, qdot, work); // no impulse
 
-   The velocities qdot_i need not be derivatives of coordinates. They may be angular velocities about body axes
-   (derivatives of quasi-coordinates). Tests: tests/test_lagrange_jump.c. */
+   The velocities qdot_i need not be derivatives of coordinates. The qdot_i may, for example, be angular velocities
+   about body axes (derivatives of quasi-coordinates). Tests: tests/test_lagrange_jump.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_JUMP_H
 #define VARMASS_MECHANICS_LAGRANGE_JUMP_H
 
@@ -4519,7 +4537,7 @@ VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NUL
    dr and turn have n vectors: dr[i] = dv/dqdot_i and turn[i] = domega/dqdot_i. v is the velocity of the body's mass
    centre, and omega the body's angular velocity. With the mass M and the inertia I of the body, about its mass centre
    and along inertial axes, the element (i, j) grows by M dr[i].dr[j] + turn[i].(I turn[j]). If dr or turn is NULL, the
-   term with it is left out. If body or matrix is NULL, the function does nothing. */
+   term that contains it is 0. If body or matrix is NULL, the function does nothing. */
 VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                              vm_real *matrix)
 {
@@ -4542,10 +4560,10 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
 }
 
 /* Adds to p the generalized momentum of a body.
-   It is computed from the velocity body->v and the angular velocity body->omega. p has n numbers. vm_lagrange_mass
-   explains dr and turn. The number i grows by the scalar product of dr[i] and the momentum, plus that of turn[i] and
-   the angular momentum about the mass centre. If dr or turn is NULL, the product with it is left out. If body or p is
-   NULL, the function does nothing. */
+   The function computes this momentum from the velocity body->v and the angular velocity body->omega. p has n numbers.
+   vm_lagrange_mass explains dr and turn. The number p[i] grows by the scalar product of dr[i] and the momentum, plus
+   the scalar product of turn[i] and the angular momentum about the mass centre. If dr or turn is NULL, the product that
+   contains it is 0. If body or p is NULL, the function does nothing. */
 VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_or_NULL, const vm_vec3 *turn_or_NULL,
                                  vm_real *p)
 {
@@ -4554,10 +4572,10 @@ VM_API void vm_lagrange_momentum(int n, const vm_body *body, const vm_vec3 *dr_o
 }
 
 /* Adds to p the generalized impulse (95) of an impulse on a body with the mass centre r.
-   r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not name the point. p
-   has n numbers. vm_lagrange_mass explains dr and turn. The number i grows by the scalar product of dr[i] and the
-   impulse, plus that of turn[i] and its moment. If dr or turn is NULL, the product with it is left out. If impulse or p
-   is NULL, the function does nothing. */
+   r is in m, in inertial axes. The moment of the impulse is taken about r; equation (23a) does not say about which
+   point. p has n numbers. vm_lagrange_mass explains dr and turn. The number p[i] grows by the scalar product of dr[i]
+   and the impulse, plus the scalar product of turn[i] and the moment of the impulse. If dr or turn is NULL, the
+   product that contains it is 0. If impulse or p is NULL, the function does nothing. */
 VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, const vm_vec3 *dr_or_NULL,
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
@@ -4583,8 +4601,8 @@ VM_API int vmi_lagrange_jump_solve(int n, const vm_real *matrix, const vm_real *
 
 /* Solves after*(qdot_after - qdot) = (before - after)*qdot + sign*part + impulse, where `before` and `after` are mass
    matrices, and `part` is the vector of generalized momenta of the part that joins or separates. The unknown is the
-   change qdot_after - qdot. If the part has little mass, this change is small, but the error is small even compared
-   with the change. */
+   change qdot_after - qdot. If the part has little mass, this change is small. The error is small even compared with a
+   small change, because the function solves for the change itself. */
 VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                              const vm_real *part_or_NULL, vm_real sign, const vm_real *impulse_or_NULL,
                              vm_real *qdot_after, vm_real *work)
@@ -4608,10 +4626,10 @@ VM_API int vmi_lagrange_jump(int n, const vm_real *before, const vm_real *after,
    derivative, so that the part adds the array `part` to dT2/dqdot. If part or impulse is NULL, its term is 0.
    The array qdot_after may be the array qdot. work has VM_LAGRANGE_WORK(n) numbers. A part of little mass changes qdot
    little, and this small change is accurate relative to its own size. Returns VM_BAD_ARGUMENT for a null pointer and n
-   <= 0; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_SINGULAR if `after` is singular, that is, if
-   some change of the coordinates moves no mass or a negative mass; VM_OK otherwise. The matrix counts as singular if an
-   entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps after the diagonal has been scaled
-   to 1. */
+   <= 0; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_SINGULAR if the matrix `after` is not
+   positive definite, that is, if some change of the coordinates moves no mass or a negative mass; VM_OK otherwise. The
+   matrix counts as singular if an entry on the diagonal of `after` is not positive, or if a pivot is below 4 n eps
+   after the diagonal has been scaled to 1. */
 VM_API int vm_lagrange_separate(int n, const vm_real *before, const vm_real *after, const vm_real *qdot,
                                 const vm_real *part_or_NULL, const vm_real *impulse_or_NULL, vm_real *qdot_after,
                                 vm_real *work)
@@ -4630,10 +4648,10 @@ VM_API int vm_lagrange_attach(int n, const vm_real *before, const vm_real *after
 }
 
 /* Velocities after an impact that changes no mass: matrix*(qdot_after - qdot) = impulse.
-   If a part separates that is nearly the whole body, this function is more accurate than vm_lagrange_separate. Then
-   `matrix` is the mass matrix of the rest, and `impulse` is minus the generalized momentum of the part's motion
-   relative to the body. The array sizes, the statuses and `work` are those of vm_lagrange_separate, but here `impulse`
-   must not be NULL. */
+   If the part that separates is nearly the whole body, this function computes the velocities of the rest more
+   accurately than vm_lagrange_separate. For this use, `matrix` must be the mass matrix of the rest, and `impulse` must
+   be minus the generalized momentum of the part's motion relative to the body. The array sizes, the statuses and
+   `work` are those of vm_lagrange_separate, but here `impulse` must not be NULL. */
 VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot, const vm_real *impulse,
                               vm_real *qdot_after, vm_real *work)
 {
@@ -4644,10 +4662,10 @@ VM_API int vm_lagrange_impact(int n, const vm_real *matrix, const vm_real *qdot,
 #endif
 /* mechanics/pendulum.h - a pendulum from which a part is cut
 
-   This is the example (119)-(132), corrected as in docs/errata.md. A uniform rod of mass M and length L swings about
-   its end O. A part at its free end, of length l and mass m = M l/L, is cut off. It leaves with a given velocity and
-   angular velocity relative to the rod. The results are the motions, energies and momenta of the part and of the
-   remaining rod, and the impulse of the pivot.
+   This is the example of the equations (119)-(132) of the dissertation [1], corrected as in docs/errata.md. A uniform
+   rod of mass M and length L swings about its end O. A part at its free end, of length l and mass m = M l/L, is cut
+   off. The part leaves with a given velocity and angular velocity relative to the rod. The results are the motions,
+   energies and momenta of the part and of the remaining rod, and the impulse of the pivot.
 
        vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
        vm_pendulum_cut cut;
@@ -4732,9 +4750,9 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
    `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
    The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
-   This formula is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
-   pointer and for an unknown value of the field `axes`; VM_NOT_FINITE if an argument or the result is infinite or NaN;
-   VM_BAD_MASS if the mass is not positive; VM_DOMAIN if l is not between 0 and L; VM_OK otherwise. */
+   This formula is the corrected form of (125) and (132), rearranged so that no digits cancel. Returns VM_BAD_ARGUMENT
+   for a null pointer and for an unknown value of the field `axes`; VM_NOT_FINITE if an argument or the result is
+   infinite or NaN; VM_BAD_MASS if the mass is not positive; VM_DOMAIN if l is not between 0 and L; VM_OK otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -4890,13 +4908,13 @@ VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, c
    This chapter is the first step of the preparation in torque_free.h. It finds the principal moments of inertia J_a >=
    J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along these
    axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow from
-   them are multiplied by long times. Then this chapter numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle
-   moment. Axis 3 is the axis around which the vector omega moves in the body. Axis 3 is a or c, depending on the sign
-   of
+   these numbers are multiplied by long times. Then this chapter numbers the axes 1, 2, 3. Axis 2 is b, the axis of the
+   middle moment. Axis 3 is the axis around which the vector omega moves in the body. Axis 3 is a or c, depending on
+   the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
    where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
-   the axis of the smallest moment; else axis 3 is a. If the number is 0, omega tends to the direction of axis 2 as time
-   grows; the set of these motions is called the separatrix. All functions of this chapter are internal:
+   the axis of the smallest moment; else axis 3 is a. If the number is 0, the direction of omega tends to that of axis
+   2 as time grows. The set of these motions is called the separatrix. All functions of this chapter are internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -4911,7 +4929,7 @@ VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, c
 
 /* ---- vectors in two words ---- */
 
-/* A vector whose three components are in two words each, that is, are sums of two vm_reals */
+/* A vector whose three components are stored in two words, that is, each as the sum of two vm_reals */
 typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
@@ -4975,9 +4993,9 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* The rotation of a body in its principal axes. `moment` has the principal moments divided by a power of two, `axis`
-   the principal axes in body axes, and `omega` the components of omega along the principal axes divided by another
-   power of two. */
+/* The rotation of a body in its principal axes. `moment` contains the principal moments, divided by a power of two.
+   `axis` contains the unit vectors of the principal axes, along body axes. `omega` contains the components of omega
+   along the principal axes, divided by another power of two. */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
@@ -5019,7 +5037,7 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
 
 /* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_of_two(trace), where
    `trace` is the trace of the tensor *i. Sets b->omega to 0. If the tensor has no products of inertia, the moments are
-   exactly its scaled entries and the axes are exactly the body axes. */
+   exactly the scaled diagonal entries of the tensor, and the axes are exactly the body axes. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
@@ -5060,9 +5078,9 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. Moments of a
-   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more than such
-   errors. */
+/* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. If a tensor
+   has no products of inertia, its moments have no such errors: two moments are then exactly equal, or they differ by
+   more than these errors. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;
@@ -5180,7 +5198,7 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
    The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850). The
    angular velocity omega follows from the elliptic functions sn, cn, dn of the time, and the attitude follows from one
    theta function and a rotation at a constant rate. Nothing is integrated. Therefore an evaluation costs the same at
-   any time, and its errors do not accumulate over time. The mass centre moves on a straight line.
+   any time, and errors do not accumulate from evaluation to evaluation. The mass centre moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
@@ -5190,26 +5208,26 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
    and with three equal ones, and for rods and points. The spin of a rod or a point about an axis without moment of
    inertia stays constant. The functions also work for all rotations. Examples are a rotation about the axis of the
    middle moment of inertia, and the rotations on the separatrix. The separatrix is the set of all rotations that tend
-   to a rotation about this axis as time grows. The user need not tell the functions which of these cases a motion is.
-   Tests: tests/test_torque_free.c. */
+   to a rotation about this axis as time grows. The user need not know which of these cases a motion belongs to. Tests:
+   tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
 
 #include <string.h>
 
-/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Read its fields, but do not change
-   them.
+/* A motion prepared by vm_torque_free_init. The struct contains no pointers and may be copied. Read its fields, but do
+   not change them.
    The next comment has the equations (A) and (B).
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 12 eps (rad) and that
    of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
    parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
-   the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
-   attitude by more, because it shifts the time of every flip of the body. (Close to the separatrix a body turns nearly
-   uniformly about the axis of the middle moment for a long time and then flips over.) If a tensor has products of
-   inertia, the principal moments have only the digits of two words (sums of two vm_reals), which limits the accuracy
-   after many turns close to the separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component
-   is taken as 0. */
+   the attitude by eps times the angle through which the body has turned. Close to the separatrix an input error
+   changes the attitude by more, because it shifts the time of every flip of the body. (Close to the separatrix a body
+   turns nearly uniformly about the axis of the middle moment for a long time and then flips over.) If a tensor has
+   products of inertia, the principal moments are computed in two words (as sums of two vm_reals). The errors of these
+   two words limit the accuracy after many turns close to the separatrix. A component of omega below 2^-505 (float
+   2^-57) times the largest component is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the body has the state `body`, s */
@@ -5251,13 +5269,14 @@ typedef struct VM_TAG(vm_torque_free) {
    and the rates; the theta function; and `start`, for which q(t0) is the given attitude. The preparation computes in
    two words (sums of two vm_reals), because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at
    a given time uses two words only for the products of rates and time. Moments and omega are divided by powers of two
-   so that they are about 1, which prevents overflow. */
+   so that their values are about 1, which prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
 /* The fields a1, a2, a3 and L are the squares of the amplitudes a1, a2, a3 of equation (A) above and of L. The fields
    h1 and h3 are the squares of I1 a1 and I3 a3. m is the parameter of sn, cn, dn, and m1 = 1 - m. The formulas contain
-   only one subtraction, in S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
+   only one subtraction, in S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words (as a sum of three
+   vm_reals). */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -5361,8 +5380,8 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
 }
 
 /* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
-   on the separatrix, where mean = 0. On the separatrix w1 can have either sign, but cn u is always positive; there
-   *sign is the sign of w1; elsewhere it is 1. */
+   on the separatrix, where mean = 0. On the separatrix w1 can have either sign, but cn u is always positive. Therefore
+   *sign is the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -5505,7 +5524,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
         turns = v.hi;
     }
     if (v.hi * v.hi > VMI_NEAR) theta = vmi_theta_far(&motion->far_form, 0, v);
-    else theta = vmi_theta_near(v.hi, motion->m1); /* NaN comes here, too */
+    else theta = vmi_theta_near(v.hi, motion->m1); /* also for NaN */
     theta = vmi_theta_shift(theta, motion->far_form.kp, (vmi_bits)((quarters + 2 * half_turns) & 3));
     vmi_theta_ratios(theta, motion->far_form.kp, sn, cn, dn);
     return turns;
@@ -5532,8 +5551,8 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 /* ---- setting up ---- */
 
 /* Returns the attitude q, or a unit quaternion for it if the length of q is within 64 eps of 1. Each call of
-   vm_torque_free_rotation changes the length by up to 0.4 eps. If each call starts from the result of the previous
-   call, these changes would add up in the same direction. If the length differs from 1 by at most 4 eps, q is returned
+   vm_torque_free_rotation changes the length by up to 0.4 eps. Without this correction the changes would add up if
+   each call starts from the result of the previous call. If the length differs from 1 by at most 4 eps, q is returned
    without any change. */
 VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
 {
@@ -5629,7 +5648,8 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
    If the quaternion at t0 was all zero, or if its length was within 64 eps of 1, the length of *q is 1. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
-   the result is finite and has the right angular momentum, but its phase has no meaning. */
+   the result is finite and has the right angular momentum, but the angle through which the body has turned has no
+   correct digits. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */
@@ -5728,7 +5748,7 @@ typedef struct VM_TAG(vmi_inertia_ldl) {
 } vmi_inertia_ldl;
 
 /* Writes the inertia tensor *i as the product L D L^T, and stores L and the inverse of D in *f (vmi_inertia_ldl).
-   Returns 0 if a diagonal entry of D is not positive or only a rounding error, else 1. */
+   Returns 0 if a diagonal entry of D is not positive or not larger than its rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -5756,7 +5776,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
+/* Returns 1 if a body, which may be thin, can have the inertia i within a tolerance. One moment of a flat body equals
    the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
    The tolerance is sqrt(eps) times the trace of i, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
@@ -5767,7 +5787,7 @@ VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 
 /* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
    calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
-   each diagonal entry of this matrix exceeds |xy| + |xz| + |yz|. For most bodies this is so. */
+   each diagonal entry of this matrix exceeds |xy| + |xz| + |yz|. Most bodies satisfy this condition. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -5775,7 +5795,7 @@ VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
     return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
-/* Computes the factors *f of the inertia *i as vmi_inertia_factor does. Also returns 0 if no body can have the inertia
+/* Computes the factors *f of the inertia *i as vmi_inertia_factor does. Returns 0 also if no body can have the inertia
    *i. */
 VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {
@@ -5785,11 +5805,11 @@ VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ld
 #endif
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
-   A stream brings mass into a body, or takes mass out of it, at one point. This mass has momentum and angular momentum.
-   Therefore a reactive force (156), a reactive moment (158) and a reactive torque (157) act on the body; they are
-   called reactive loads here. This chapter computes the reactive loads at an instant and the accelerations that follow
-   from them, (159) and (160). To integrate a motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h
-   (on a line or an axle).
+   A stream brings mass into a body, or takes mass out of it, at one point. This mass has momentum and angular
+   momentum. Therefore a reactive force, a reactive moment and a reactive torque act on the body, by the equations
+   (156), (158), (157) of the dissertation [1]. Force, moment and torque together are called reactive loads here. This
+   chapter computes the reactive loads at an instant and the accelerations that follow from them, (159) and (160). To
+   integrate a motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -5809,15 +5829,15 @@ enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
     VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
-                        the stream are not read. There is no torque, but a force M' omega x d, which (166) neglects. M'
-                        is the rate of the stream, omega the body's spin, and d the vector from the mass centre to the
-                        point. */
+                        the stream are not read. If the stream has no store, its reactive moment and its reactive torque
+                        cancel. Its reactive force is M' omega x d, which (166) of [1] neglects. M' is the rate of the
+                        stream, omega the body's spin, and d the vector from the mass centre to the point. */
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
 };
 
 /* A store of mass inside a body, for example a tank. A stream that leaves the body takes its mass from the store, and a
-   stream that enters puts its mass into the store. A stream needs a store if its mass is kept at another position than
-   the point at which the stream crosses the surface of the body. */
+   stream that enters puts its mass into the store. A stream needs a store if the body stores the mass at another
+   position than the point at which the stream crosses the surface of the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -5833,15 +5853,17 @@ typedef struct VM_TAG(vm_stream) {
     vm_inertia gyration;  /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2,
                              body axes */
     const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
-                             point `at` the mass flows in a straight line; the momentum of the mass on this way is a
-                             part of the body's momentum. */
+                             point `at` the mass flows in a straight line. While the mass flows there, its momentum is
+                             a part of the body's momentum. */
 } vm_stream;
 
 /* The reactive loads at an instant. All vectors are in inertial axes; only inertia_rate is in body axes. The body has
-   the mass M, the inertia I, the velocity v and the angular velocity omega. For each stream M' is the rate, u the
-   velocity of its mass, omega2 the angular velocity of its mass and kappa its gyration. The vector d leads from the
-   body's mass centre to the point at which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E
-   is the inertia per unit mass of a point mass at d. Each sum is over all streams:
+   the mass M, the inertia I, the velocity v (momentum/mass) and the angular velocity omega. For each stream M' is the
+   rate (> 0 if mass joins, < 0 if mass leaves), u the absolute velocity of the stream's mass, omega2 the angular
+   velocity of this mass and kappa its gyration. u - v is the velocity of this mass relative to a frame that moves at
+   the velocity v and does not turn. The vector d leads from the body's mass centre to the point at which the mass
+   enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E is the inertia per unit mass of a point mass at
+   d. Each sum is over all streams:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  (sum M' kappa omega2) - I' omega           (157) corrected: [1] prints I' (omega2 - omega), which is right
@@ -5849,7 +5871,7 @@ typedef struct VM_TAG(vm_stream) {
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
    The equations of motion are M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160),
-   with the outer force F and the outer moment M_S about the mass centre. v is momentum/mass, and v' is its rate. */
+   with the outer force F and the outer moment M_S about the mass centre. v' is the rate of v. */
 typedef struct VM_TAG(vm_reactive) {
     vm_vec3 force;           /* reactive force, N */
     vm_vec3 moment;          /* reactive moment about the mass centre, N m */
@@ -5862,10 +5884,11 @@ typedef struct VM_TAG(vm_reactive) {
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
 /* For every value of the field `motion`, the velocity u of a stream's mass is the sum of two terms. The first term is
-   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the
-   mass is a sum of two such terms, too. vmi_stream_moves_with_body returns 1 if the first term is the velocity of the
-   point, and vmi_stream_velocity_is_given returns 1 if the second term is the field `velocity`. No other function
-   depends on the four values VM_RELATIVE ... VM_AT_REST. */
+   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of
+   the mass is also a sum of two terms: the spin of the body, or zero, and the field `spin`, or zero.
+   vmi_stream_moves_with_body returns 1 if the first term is the velocity of the point, and
+   vmi_stream_velocity_is_given returns 1 if the second term is the field `velocity`. No other function depends on the
+   four values VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
@@ -5896,7 +5919,8 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
    stores of the streams and the surface of the body. `centre` is the position of the mass centre, from the body's
    reference point. If a stream of rate M' flows in a straight line between its store at the position a and the surface
-   at the position b, the flowing mass has the momentum M' (a - b) at any speed. */
+   at the position b, the flowing mass has the momentum M' (a - b). This momentum does not depend on the speed of the
+   flow, because a faster flow has less mass on its way. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -5920,27 +5944,28 @@ typedef struct VM_TAG(vmi_stream_seen) {
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
    are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this relative
-   velocity instead of the difference u - v, which would lose digits if the body is fast. */
+   velocity. The function does not subtract v from u, because the difference u - v would lose digits if the body is
+   fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
     vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
-    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum per second that the streams bring by their spin */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that the streams bring per second by their spin */
     vm_vec3 crossing;   /* sum of M' d, where d leads from the mass centre to the point of the surface */
     vm_vec3 stored;     /* sum of M' d_s, where d_s leads from the mass centre to the store; d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the body's inertia */
     vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy that the streams bring per
                            second */
-    vm_real lost;       /* the sum `brought`, but with velocity and spin relative to the body: twice the power lost by
-                           mixing */
+    vm_real lost;       /* the sum `brought`, but with the velocity relative to the point of the surface and the spin
+                           relative to the body: twice the power lost by mixing; < 0 if the mass leaves */
 } vmi_stream_sum;
 
 /* Adds the terms of one stream to sum->carried, sum->pushed and sum->absolute. The field `motion` of the stream must
-   have one of the known values. Sets *push = M' (u - v), where M' is the rate, u the velocity of the mass and v that of
-   the body, and *spin to the angular velocity of the mass. The argument `carried` is the velocity of the body's point
-   at which the mass enters or leaves, minus v. All vectors are in body axes. */
+   have one of the known values. Sets *push = M' (u - v), where M' is the rate, u the absolute velocity of the mass and
+   v the velocity of the body. Sets *spin to the angular velocity of the mass. The argument `carried` is the velocity
+   of the body's point at which the mass enters or leaves, minus v. All vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -6010,9 +6035,9 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 }
 
 /* Gyration means the inertia per unit mass of the mass in a stream or a store. Returns VM_NOT_FINITE if an entry of the
-   gyration is infinite or NaN; VM_BAD_INERTIA if one of its moments xx, yy, zz is negative; else VM_OK. A gyration need
-   not satisfy the triangle inequality zz <= xx + yy; only the inertia of the body must satisfy it. Therefore zz may be
-   the only entry of a gyration that is not 0, which is enough for motion in a plane. */
+   gyration is infinite or NaN; VM_BAD_INERTIA if one of its moments xx, yy, zz is negative; else VM_OK. Only the
+   inertia of the body must satisfy the triangle inequality zz <= xx + yy; a gyration need not. Therefore a gyration
+   for motion in a plane may consist of the entry zz alone, with zero for all other entries. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;
@@ -6138,11 +6163,13 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 /* mechanics/flow.h - a free body in space with streams of mass
 
    This chapter has right-hand sides of equations of motion, for the integrators rk45 and rk87. The body is rigid, and
-   its mass, mass centre and inertia change while it moves. In vm_flow_rhs streams cause these changes (151), (152). In
-   vm_flow_given_rhs mass, mass centre and inertia are given functions of time (170). In vm_flow_carried_rhs they are
-   given functions of time, too, and the mass that is lost or gained moves with the body (166). In vm_flow_rhs and
-   vm_flow_given_rhs momentum and angular momentum are states (numbers to integrate), from which velocity and angular
-   velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of a stream may jump.
+   its mass, mass centre and inertia change while it moves. In vm_flow_rhs streams cause these changes, as in the
+   equations (151), (152) of the dissertation [1]. In vm_flow_given_rhs mass, mass centre and inertia are given
+   functions of time (170). In vm_flow_carried_rhs mass, mass centre and inertia are given functions of time, too, and
+   the mass that is lost or gained moves with the body (166). In vm_flow_rhs and vm_flow_given_rhs momentum and angular
+   momentum are states (numbers to integrate), from which velocity and angular velocity follow. Therefore a momentum
+   that is conserved stays exactly constant. The rate of a stream may jump, because momentum and angular momentum do
+   not jump with this rate.
 
        vm_flow flow;
        ode_event empty;
@@ -6172,19 +6199,19 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
    attitude as a quaternion. The vector c leads from the reference point to the mass centre, and d = at - c, where `at`
    is the field of vm_stream; all three are in body axes. R is the rotation of q/|q| from body axes to inertial axes.
-   The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
+   The last term of q' is 0 for |q| = 1. This term brings the length of q back to 1 and does not lower the order of an
    integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
-   If a stream has a store (vm_store) at the position s, let d_s = s - c. The equations then differ in three points. d_s
-   replaces d in c' and in P(d). The store's gyration (its inertia per unit mass) replaces kappa in I'. The mass that
-   flows between the store and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular
-   momentum.
+   If a stream has a store (vm_store) at the position s, let d_s = s - c. The equations then differ in three points.
+   The vector d_s replaces d in c' and in P(d). The store's gyration (its inertia per unit mass) replaces kappa in I'.
+   The mass that flows between the store and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its
+   angular momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_FLOW_H
 #define VARMASS_MECHANICS_FLOW_H
 
-/* Indices of the states in y, and numbers of states. Axes are inertial unless body axes are named. */
+/* Indices of the states in y, and numbers of states. Vectors are along inertial axes unless body axes are named. */
 enum {
     VM_Y_R = 0,        /* position of the mass centre, 3 numbers, m */
     VM_Y_Q = 3,        /* attitude, 4 numbers w, x, y, z */
@@ -6205,7 +6232,7 @@ enum {
    the whole struct to zero first; a field that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
-    vm_stream *streams; /* array of n streams, which the caller keeps */
+    vm_stream *streams; /* array of n streams, provided by the caller */
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
@@ -6227,7 +6254,8 @@ typedef struct VM_TAG(vm_flow) {
                               fallen to this value, kg m^2 */
     /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step of the integrator may go
        beyond the end of a motion, where the mass is not positive or no body can have the inertia. The derivatives are
-       then NaN, so that the integrator shortens its step. An event should stop the run before this happens. */
+       then NaN, so that the integrator shortens its step. An event should stop the run before the mass or the inertia
+       becomes impossible. */
     int status;
     /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
@@ -6262,8 +6290,8 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* Returns the present mass, mass centre and inertia of the body. They are fields of the flow if given = 1, and parts of
-   the state y if given = 0. */
+/* Returns the present mass, mass centre and inertia of the body. These quantities are fields of the flow if given = 1,
+   and parts of the state y if given = 0. */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -6291,10 +6319,10 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* Computes from the state y the rotation *turn from body axes to inertial axes, and in *seen the velocity, the angular
-   velocity and the other quantities that the sums over the streams need. Returns VM_NOT_FINITE if the mass is infinite
-   or NaN; VM_BAD_MASS if it is not positive; VM_BAD_INERTIA if no body can have the inertia, or if it is singular; else
-   VM_OK. */
+/* Computes from the state y the rotation *turn from body axes to inertial axes. Sets *seen to the velocity, the
+   angular velocity and the other quantities that the sums over the streams need. Returns VM_NOT_FINITE if the mass is
+   infinite or NaN; VM_BAD_MASS if it is not positive; VM_BAD_INERTIA if no body can have the inertia, or if it is
+   singular; else VM_OK. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -6330,8 +6358,8 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vm_dot(flow->force, seen->v) - vm_dot(flow->moment, omega);
 }
 
-/* Evaluates a right-hand side. The number n of its states tells which one: vm_flow_given_rhs, vm_flow_rhs or
-   vm_flow_balanced_rhs. */
+/* Evaluates one of the right-hand sides vm_flow_given_rhs, vm_flow_rhs and vm_flow_balanced_rhs. The number n of
+   states tells which one of the three it is. */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -6380,19 +6408,19 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 /* Right-hand side of the equations of motion of a free body with given laws of mass, mass centre and inertia.
    Its type is ode_rhs. The state y has VM_FLOW_GIVEN_STATES numbers. `flow` must point to a vm_flow, whose function
    `update` must set mass, centre and inertia for the time t. The streams cause forces and moments as in vm_flow_rhs,
-   but do not change the mass. Without streams the equations are (170): the mass that joins or leaves is at rest and at
-   the mass centre. The statuses are those of vm_flow_rhs. */
+   but do not change the mass. Without streams the equations are (170): the mass that joins or leaves is at rest, and
+   it joins or leaves at the mass centre. The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_GIVEN_STATES, t, y, dydt);
 }
 
-/* Right-hand side vm_flow_rhs with seven integrals that check the balances.
+/* Right-hand side of the equations of vm_flow_rhs, with seven more states: integrals that check the balances.
    Its type is ode_rhs. The state y has VM_FLOW_BALANCED_STATES numbers. `flow` must point to a vm_flow. The integrals
-   are the numbers from y[VM_Y_BALANCE] on and are zero at the start. They are the momentum (3 numbers), the angular
-   momentum about the origin (3 numbers) and the kinetic energy that the streams have taken out of the body, minus the
-   momentum, angular momentum and energy that the outer loads have put into it.
+   are the numbers from y[VM_Y_BALANCE] on and are zero at the start. The integrals are the momentum (3 numbers), the
+   angular momentum about the origin (3 numbers) and the kinetic energy that the streams have taken out of the body,
+   minus the momentum, angular momentum and energy that the outer loads have put into the body.
    The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
    stream has a store. The angular momentum in this sum is then y[VM_Y_H] + r x p, and the sum of the energies does not
    stay constant.)
@@ -6400,8 +6428,9 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    > 0 or M' < 0, they give in the limit the rate T'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
-   The first sum is the power that the streams bring. For M' < 0 the second term, with its minus sign, is the power of
-   engines. For M' > 0 it is negative: this power is lost by plastic impact. The statuses are those of vm_flow_rhs. */
+   The first sum is the power that the streams bring. The second sum is subtracted. For M' < 0 this gives a positive
+   power, which engines supply. For M' > 0 it gives a negative power, which is lost by plastic impact. The statuses are
+   those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -6442,7 +6471,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES if y_size is unknown (0) or large enough, and
-   VM_FLOW_GIVEN_STATES if y_size is smaller. If y_size is large enough for the integrals of the balance, too, the
+   VM_FLOW_GIVEN_STATES if y_size is smaller. If y_size is known and large enough for the integrals of the balance, the
    result is VM_FLOW_BALANCED_STATES. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
@@ -6451,8 +6480,8 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
     return VM_FLOW_STATES;
 }
 
-/* Returns VM_OK if the arguments of vm_flow_start are valid, else the error. The inertia must be one that a body can
-   have, and not singular. */
+/* Returns VM_OK if the arguments of vm_flow_start are valid, else the error. The inertia must be possible for a body
+   and not singular. */
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
@@ -6465,7 +6494,7 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 }
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
-   Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
+   Before the call flow.centre and flow.streams must contain the mass centre and the streams at the start. The function
    sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for at least VM_FLOW_GIVEN_STATES
    numbers. If y has room for fewer than VM_FLOW_STATES numbers, set flow.y_size before the call. vm_flow_carried_rhs
    has different states, which the caller sets. Returns
@@ -6543,8 +6572,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
 }
 
 /* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
-   It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of the event is the vm_flow. Returns NaN for a null
-   pointer. */
+   The function works with vm_flow_rhs and vm_flow_balanced_rhs. The field ctx of the event must point to the vm_flow.
+   Returns NaN for a null pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -6554,9 +6583,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 
 /* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
    The pivots are the diagonal entries of D in the factorization L D L^T of the inertia. The event stops a run before a
-   pivot becomes 0, which would make the inertia singular. It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of
-   the event is the vm_flow. The event does not check the triangle inequality of the moments, because thin bodies are
-   always close to its limit. Returns NaN for a null pointer or an inertia that is not finite. */
+   pivot becomes 0, which would make the inertia singular. The function works with vm_flow_rhs and
+   vm_flow_balanced_rhs. The field ctx of the event must point to the vm_flow. The event does not check the triangle
+   inequality of the moments, because thin bodies are always close to its limit. Returns NaN for a null pointer or an
+   inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -6572,7 +6602,7 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #endif
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This chapter has the right-hand side of mechanics/flow.h for motion in a plane. Its state has 10 numbers instead of
+   This chapter has the right-hand side of mechanics/flow.h for motion in a plane. The state has 10 numbers instead of
    23. The equations are those of motion in space, except that streams in the plane have no stores.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
@@ -6588,7 +6618,8 @@ VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 #ifndef VARMASS_MECHANICS_FLOW2_H
 #define VARMASS_MECHANICS_FLOW2_H
 
-/* Indices of the states of vm_flow2_rhs in y, and their number. Axes are inertial unless body axes are named. */
+/* Indices of the states of vm_flow2_rhs in y, and their number. Vectors are along inertial axes unless body axes are
+   named. */
 enum {
     VM_FLOW2_X = 0,       /* position of the mass centre, 2 numbers x, y, m */
     VM_FLOW2_ANGLE = 2,   /* angle of the body axes, rad, anticlockwise */
@@ -6614,7 +6645,7 @@ typedef struct VM_TAG(vm_stream2) {
    the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
-    vm_stream2 *streams; /* array of n streams, which the caller keeps */
+    vm_stream2 *streams; /* array of n streams, provided by the caller */
     vm_real fx, fy;      /* resultant of the outer forces, N, inertial axes */
     vm_real moment;      /* moment of the outer forces about the mass centre, plus all torques, N m */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
@@ -6779,9 +6810,9 @@ VM_API int vm_flow2_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 /* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
 
    This chapter has the right-hand sides of equations of motion with streams of mass that need fewer states (numbers to
-   integrate) than a free body in space: translation in space (172), straight motion (175), (176), and rotation about a
-   fixed axle (173a). The equation of rotation is the equation of straight motion with the moment of inertia instead of
-   the mass.
+   integrate) than a free body in space. These motions are translation in space (172), straight motion (175), (176),
+   and rotation about a fixed axle (173a), by the equations of the dissertation [1]. The equation of rotation is the
+   equation of straight motion with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -6827,7 +6858,7 @@ typedef struct VM_TAG(vm_stream1) {
    argument. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
-    vm_stream1 *streams; /* array of n streams, which the caller keeps */
+    vm_stream1 *streams; /* array of n streams, provided by the caller */
     vm_real force;       /* resultant of the outer forces, N (axle: their moment about the axle, N m) */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
        vm_flow.update does. It returns 0 to go on; any other number ends the run. */
@@ -6837,7 +6868,7 @@ typedef struct VM_TAG(vm_flow1) {
 } vm_flow1;
 
 /* Returns the velocity u of a stream's mass. `motion` and `given` are the fields `motion` and `velocity` of the stream,
-   and v is the velocity of the body. The vectors u, v and `given` have the same axes. */
+   and v is the velocity of the body. The components of u, v and `given` are along the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
@@ -6872,8 +6903,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
 }
 
 /* Calls flow->update, then evaluates the right-hand side of vm_translation_rhs. This function is not inlined. If it
-   were inlined, a flow without `update` would lose time, because the processor's registers would be saved for the call
-   of `update`. */
+   were inlined, a flow without `update` would lose time, because it would save the processor's registers for a call of
+   `update` that does not happen. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -6886,9 +6917,9 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
    `flow` must point to a vm_flow, of which n, streams, force, update, y_size and status are used. r is the position of
    the mass centre, p the momentum, M the mass and F the outer force. The sum is over all streams; M' is the rate of a
    stream and u the velocity of its mass. The rate of the body's mass M is the sum of all M'. The body axes must be
-   parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read. Returns 0 or
-   another number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a
-   stream; VM_SHORT_ARRAY if y_size is too small; or the number that flow.update returns. */
+   parallel to the inertial axes. The function does not read the fields at, spin, gyration and from of the streams.
+   Returns 0 or another number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown
+   `motion` of a stream; VM_SHORT_ARRAY if y_size is too small; or the number that flow.update returns. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -6945,10 +6976,11 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #endif
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   This chapter has closed formulas for motions with streams of mass, so that no integrator is needed. They give the
-   velocity of a body as a function of its mass, (151), (171), (175), (176); the motion along a line while the mass
-   changes at a constant rate; and the angular velocity of a spinning rocket whose rotation the jet damps. The formulas
-   stay accurate as the rate of the mass tends to zero.
+   This chapter has closed formulas for motions with streams of mass, so that no integrator is needed. The first two
+   functions give the velocity of a body as a function of its mass, by the equations (151), (171), (175), (176) of the
+   dissertation [1]. The others give the motion along a line while the mass changes at a constant rate, and the angular
+   velocity of a spinning rocket whose rotation the jet damps. The formulas stay accurate as the rate of the mass tends
+   to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -6956,15 +6988,15 @@ VM_API int vm_flow1_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow1)
 #ifndef VARMASS_MECHANICS_ROCKET_H
 #define VARMASS_MECHANICS_ROCKET_H
 
-/* A spinning axisymmetric body. The body axis z is the axis of symmetry. Mass from around the mass centre leaves
-   through a nozzle on the axis (rate < 0), or mass enters through the nozzle (rate > 0). The mass centre does not move
-   in the body. A transverse axis goes through the mass centre and is perpendicular to z; "inertia" means moment of
-   inertia. */
+/* A spinning axisymmetric body. The body axis z is the axis of symmetry. Mass leaves through a nozzle on this axis
+   (rate < 0) or enters through it (rate > 0). In the body the stored mass lies around the mass centre of the body, so
+   that this mass centre does not move in the body when mass leaves or enters. A transverse axis goes through the mass
+   centre and is perpendicular to z; "inertia" means moment of inertia. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
     vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; it has one value in the
+    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; the same value in the
                                     body and in the nozzle */
     vm_real gyration_transverse; /* inertia about a transverse axis of the mass that flows, per unit mass, while it is
                                     in the body, m^2 */
@@ -7025,8 +7057,8 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
    If the stream has the velocity w relative to the body:
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
    If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
-   mass decreases, this bound grows with m0/m, because the rounding error of the product rate t is large compared with a
-   small m. Returns VM_BAD_ARGUMENT for a null pointer and for an unknown `motion` of the stream; VM_NOT_FINITE if an
+   mass decreases, this bound grows with m0/m, because the rounding error of the product rate t becomes large compared
+   with m. Returns VM_BAD_ARGUMENT for a null pointer and for an unknown `motion` of the stream; VM_NOT_FINITE if an
    argument or the result is infinite or NaN; VM_BAD_MASS if m0 or m is not positive; VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)
@@ -7102,11 +7134,11 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 #endif
 /* mechanics/supply.h - tanks and solid propellants: mass centre and inertia of the mass that is left
 
-   A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
-   density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is
-   left determines its mass centre, its inertia and their rates, and also the store (vm_store) from which a stream takes
-   the next mass. If a stream has this store, the moments that it causes are right. They include the jet damping, the
-   moment by which a jet slows the rotation of a body.
+   A supply is a round cylinder of stored mass inside a body. There are three kinds: a tank of liquid, whose level
+   falls, a tank of gas, whose density falls, and a hollow cylinder of solid propellant (a grain), which burns radially
+   outwards. The mass that is left determines its mass centre, its inertia and their rates, and also the store
+   (vm_store) from which a stream takes the next mass. If a stream has this store, the moments that the stream causes
+   are right. These moments include the jet damping, the moment by which a jet slows the rotation of a body.
 
        vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, -2}, {0, 0, 1}, 3, 0.5, 0, 800}; // 3 m long, radius 0.5 m, 800 kg
        vm_supply_left left;
@@ -7129,8 +7161,8 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 
 /* The kinds of supplies */
 enum {
-    VM_TANK_OF_LIQUID = 0, /* constant density; the tank empties from the lower end, and its surface stays normal to the
-                              axis. The liquid turns with the tank */
+    VM_TANK_OF_LIQUID = 0, /* constant density; the outlet is at the lower end. The surface of the liquid stays normal
+                              to the axis, and the liquid turns with the tank */
     VM_TANK_OF_GAS = 1,    /* constant volume; the density is the same everywhere, and falls as gas leaves */
     VM_GRAIN = 2           /* constant density; a hollow cylinder that burns from its bore outwards, not at its ends */
 };
@@ -7156,7 +7188,8 @@ typedef struct VM_TAG(vm_supply_left) {
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
     vm_vec3 centre_by_mass;     /* derivative of `centre` with respect to the mass, m/kg */
     vm_inertia inertia_by_mass; /* derivative of `inertia` with respect to the mass, m^2 */
-    vm_store store;             /* the place of the next mass that leaves, for the field `from` of a vm_stream */
+    vm_store store;             /* position and gyration of the mass that leaves next, for the field `from` of a
+                                   vm_stream */
 } vm_supply_left;
 
 /* The tensor axial e e^T + transverse (E - e e^T) for a unit vector e and the unit matrix E. The diagonal entries are
@@ -7230,12 +7263,13 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
 /* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their derivatives, and the store of
    the mass that leaves next.
    mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the function uses the same
-   formulas. The results then describe no body, but they change smoothly with the mass, as the trial steps of an
-   integrator need it. The errors are at most 8 eps of a scale: |at| + length for a position, the largest entry for a
-   tensor, and the length of the vector for centre_by_mass. This holds for a nearly empty or nearly full supply, too.
-   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind; VM_NOT_FINITE if an argument or the result is infinite
-   or NaN; VM_BAD_MASS if supply.full is not positive; VM_DOMAIN if the length or the radius is not positive, if the
-   axis is 0, or if the bore of a grain is not between 0 and the radius; VM_OK otherwise. */
+   formulas. The results then describe no body, but they change smoothly with the mass. An integrator needs this,
+   because its trial steps may go beyond these limits. The errors are at most 8 eps of a scale: |at| + length for a
+   position, the largest entry for a tensor, and the length of the vector for centre_by_mass. These bounds hold for a
+   nearly empty or nearly full supply, too. Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind;
+   VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_BAD_MASS if supply.full is not positive; VM_DOMAIN
+   if the length or the radius is not positive, if the axis is 0, or if the bore of a grain is not between 0 and the
+   radius; VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;
@@ -7257,11 +7291,12 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
 #endif
 /* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
 
-   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
-   has the velocity of its body (in a scene: the field `reactive` is 0). vm_orbit solves this equation for constant mu
-   (Kepler's problem). It works for ellipses, parabolas, hyperbolas and straight lines. vm_orbit_meshchersky solves it
-   for Meshchersky's law mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. A scene with
-   vm_effect_gravitation computes the motion for any law of mass.
+   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2). G is the constant of
+   gravitation; M1, M2 are the masses of the bodies. The equation holds if mass that leaves or joins has the velocity
+   of its body (in a scene: the field `reactive` is 0). vm_orbit solves this equation for constant mu (Kepler's
+   problem). It works for ellipses, parabolas, hyperbolas and straight lines. vm_orbit_meshchersky solves the equation
+   for Meshchersky's law: mu/(1 + c t) replaces mu. This is one of the problems of variable mass (Gylden's problem)
+   that have a closed form. A scene with vm_effect_gravitation computes the motion for any law of mass.
 
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
@@ -7277,8 +7312,8 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
    For Meshchersky's law let f = 1 + c t, r = f xi and tau = t/f. Then xi, as a function of the time tau, obeys the
    equation for constant mu.
 
-   This chapter has no function for Meshchersky's second law, mu/sqrt(1 + c t). With f = sqrt(1 + c t), r = f xi,
-   tau = ln(1 + c t)/c and a prime ' for d/dtau, the equation of motion becomes
+   This chapter has no function for Meshchersky's second law, mu/sqrt(1 + c t). With f = sqrt(1 + c t), r = f xi, tau =
+   ln(1 + c t)/c and, here, a prime ' for d/dtau, the equation of motion becomes
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
    Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the cross product xi x xi' (the angular momentum) are constant. If s
    is defined by d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic
@@ -7368,8 +7403,8 @@ VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
 /* Finds the variable s >= 0 at the time t >= 0, and returns the distance and the functions G1, G2, G3 for this s. The
    time is a rising function of s. Therefore the function keeps a lower and an upper bound of s, and brings them closer
    in each step of Newton's method. If a step leaves these bounds, or is longer than half the previous step, s is
-   doubled or the interval is halved instead. On a fast hyperbola the time rises exponentially, and Newton's method
-   alone would need too many steps. */
+   doubled or the interval is halved instead. On a fast hyperbola the time rises exponentially with s, so that Newton's
+   method alone would need too many steps. */
 VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
     const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps; Newton's method needs fewer */
@@ -7408,12 +7443,12 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
 
 /* Position and velocity after t seconds on an orbit about a centre with the attraction mu/r^2 (Kepler's problem).
    r0 (m) is the position relative to the centre and v0 (m/s) the velocity at t = 0; mu (m^3/s^2) is G times the mass in
-   the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
-   may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
-   Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as large as this
-   change. This error grows with the number of revolutions. There is one exception: if v0 points towards the centre,
-   apart from a small angle of phi rad, the error after the passage of the centre can be 10/phi times as large. A call
-   takes about as long as 50 calls of sin. Returns
+   the centre, or G (M1 + M2) if r0 and v0 are the position and velocity of one body relative to another. t may be
+   negative. The orbit may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns
+   back at the centre. Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as
+   large as this change, and grows with the number of revolutions. There is one exception: if v0 points towards the
+   centre, apart from a small angle of phi rad, the error after the passage of the centre can be 10/phi times as large.
+   A call takes about as long as 50 calls of sin. Returns
    VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN for mu
    <= 0 or r0 = 0; VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
@@ -7481,22 +7516,22 @@ VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0,
 #endif
 /* mechanics/drum.h - a band that winds up on a drum
 
-   A band that arrives at a constant velocity winds up on a drum. The mass and the inertia of the drum with its band
+   A band that arrives at a constant velocity winds up on a drum. Therefore the total mass and inertia of drum and band
    grow (section 5.2 and Fig. 20 of the dissertation [1]). This chapter has
      - the geometry (181)-(188),
      - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
-     - the vibrations of an elastic shaft (210)-(226), with the unbalance that [1] leaves out, and how they change the
-       angular velocity.
+     - the vibrations of an elastic shaft (210)-(226), with the unbalance that [1] leaves out, and the change of the
+       angular velocity by these vibrations.
 
    The band moves at the velocity v along y and touches the drum first at the point S + (R, 0), where S is the centre of
    the shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
-   phi. The mass centre of this arc lies in the direction phi/2 from S. R stays constant, because only the first layer
-   of the band, 0 <= phi <= 2 pi, is considered.
+   phi. The mass centre of this arc lies in the direction of the angle phi/2 from S. The radius R stays constant,
+   because only the first layer of the band, 0 <= phi <= 2 pi, is considered.
 
    The letters of the formulas are explained at the fields of vm_drum. Two other letters are j = mu R^2 (186), the
-   inertia of the band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to
-   rest.
+   inertia of the band per radian of phi, and e = mu v R - D, the driving torque of the band minus the damping, both
+   divided by phi'. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -7510,7 +7545,7 @@ typedef struct VM_TAG(vm_drum) {
     vm_real radius;    /* radius R of the drum, m */
     vm_real mass;      /* mass M0 > 0 of the empty drum, kg */
     vm_real inertia;   /* moment of inertia J0 > 0 of the empty drum about its axle, kg m^2 */
-    vm_real band;      /* mass mu >= 0 of the band per angle, kg/rad; vm_drum_band computes it */
+    vm_real band;      /* mass mu >= 0 of the band per radian of phi, kg/rad; vm_drum_band computes mu */
     vm_real speed;     /* velocity v of the band, m/s */
     vm_real damping;   /* damping D of the rotation, N m s */
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
@@ -7554,7 +7589,7 @@ enum {
 typedef struct VM_TAG(vm_drum_shaft) {
     vm_real k;     /* angular frequency sqrt(c/M0) of the shaft with the empty drum, divided by Omega_b */
     vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2. The coefficient printed in (213) is wrong. */
-    vm_real A;     /* relative decrease of the squared frequency per angle, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b).
+    vm_real A;     /* relative decrease of the squared frequency per radian, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b).
                       The value in (213) is wrong. */
     vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
@@ -7668,9 +7703,9 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 
 /* Right-hand side of the equations of motion of the drum on an elastic shaft, for a light band, (192), (193).
    Its type is ode_rhs. The state y has VM_DRUM_STATES numbers. `drum` must point to a vm_drum. If the mass mu of the
-   band per angle is small, the equations of vm_drum_rhs can be reduced to (192), (193). Unlike (192), this function
-   contains the force mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms
-   that (192) keeps. The statuses are those of vm_drum_rhs. */
+   band per angle is small, the equations of vm_drum_rhs can be reduced to (192), (193). The unbalance of the band
+   causes the force mu R phi'^2 (sin phi, -cos phi). (192) leaves out this force, but this function contains it,
+   because it is of the same order as the terms that (192) keeps. The statuses are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7708,8 +7743,8 @@ VM_API vm_two vmi_drum_j(const vm_drum *d)
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
 }
 
-/* The drive e = mu v R - D in two words, that is, as the sum of two vm_reals. It is computed as the sum of three
-   vm_reals, so that all digits are right even if mu v R and D nearly cancel. */
+/* The drive e = mu v R - D in two words, that is, as the sum of two vm_reals. The function first computes e as the sum
+   of three vm_reals, so that all digits are right even if mu v R and D nearly cancel. */
 VM_API vm_two vmi_drum_e(const vm_drum *d)
 {
     const vm_two band = vmi_two_product(d->band, d->radius);
@@ -7727,9 +7762,10 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
    J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
    mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
-   drum's fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and
-   e = j Omega_b, too, and for all angles up to the stop, at which the drum comes to rest (vm_drum_stop). Returns NaN
-   beyond the stop, for phi < 0, for a null pointer, and if inertia or omega is not positive or band is negative. */
+   drum's fields are taken as exact and products of the fields do not overflow or underflow. These bounds hold for all
+   angles up to the stop, the angle at which the drum comes to rest (vm_drum_stop). They hold for e = 0 and e = j
+   Omega_b, too. Returns NaN beyond the stop, for phi < 0, for a null pointer, and if inertia or omega is not positive
+   or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -7742,9 +7778,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 
 /* Right-hand side of the equations of the shaft's vibration as a function of the angle phi, (210), (211).
    Its type is ode_rhs. The state y has VM_DRUM_ANGLE_STATES numbers. `drum` must point to a vm_drum. The independent
-   variable is the angle phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft
-   (196). Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi; else a
-   status of vm_drum_rhs. */
+   variable is the angle phi instead of time. The angular velocity phi' is taken from the drum on a rigid shaft (196).
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi; else a status
+   of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7776,9 +7812,9 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
      M u (u x')' = -c x - mu u^2 x' + mu R u^2 sin phi
      M u (u y')' = -c y + mu u (v - u y') - mu R u^2 cos phi
      J_S u' = e - j u - mu R u y',   t' = 1/u
-   The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The terms with sin phi and cos phi come from the
-   unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_BAD_ARGUMENT for a null
-   pointer; VM_DOMAIN if u is not positive; else a status of vm_drum_rhs. */
+   The letters are explained at vm_drum_rhs; e = mu v R - D and j = mu R^2. The terms with sin phi and cos phi come
+   from the unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_BAD_ARGUMENT for a
+   null pointer; VM_DOMAIN if u is not positive; else a status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_coupled(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7840,8 +7876,8 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 /* Returns a start value of p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
    and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 of this equation is p^2/2, and the equation has the
    solution p0 = 2/(1 + sqrt(1 + 2 b)), called p in the code. For a > 0 both p0 and ln(1 + a p0 + a^2/b)/a are larger
-   than the solution, and the function takes the smaller one. For a < 0 both p0 and |a|/(|a| + b) are smaller than the
-   solution, and the function takes the larger one. */
+   than the solution, and the function takes the smaller of these two numbers. For a < 0 both p0 and |a|/(|a| + b) are
+   smaller than the solution, and the function takes the larger of these two. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -7853,9 +7889,9 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. Unlike vm_drum_angle_lambert, the
    function need not choose a branch of Lambert's W.
-   The comment of vm_drum_rate says how accurate the result is and when it is NaN, and explains the letters J0,
-   Omega_b, e, j. The method uses x, y, a, b, f: x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b
-   t/J0, f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
+   The comment of vm_drum_rate says how accurate the result is and when the result is NaN. It also explains the letters
+   J0, Omega_b, e, j. The method uses the numbers x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0
+   and f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any
    start value. */
@@ -7890,10 +7926,10 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
    The letters J0, Omega_b, e, j are explained at vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b)
    and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with
-   x = -exp(-f1/k1)/k1. It needs the branch W_-1 of W for 0 < k1 < 1, and the branch W_0 for other k1. This function
-   serves only for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits,
-   because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows near
-   k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
+   x = -exp(-f1/k1)/k1. W is the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function serves only
+   for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits, because x
+   approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows for small k1 (for
+   k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -7966,9 +8002,9 @@ VM_API int vmi_drum_wave_at(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_r
    where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y.
    vm_drum_deflection_start computes the amplitude a (m) and the phase alpha (rad) from the deflection and the slope at
    phi = 0, where the deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is
-   I = 2k/(3A) (1 - m^3). It is computed as (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves out
-   the unbalance of the band; vm_drum_unbalance computes its part of the deflection. Returns NaN for a null pointer and
-   if 1 - A phi <= 0. */
+   I = 2k/(3A) (1 - m^3). It is computed as (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves
+   out the unbalance of the band; vm_drum_unbalance computes the deflection that the unbalance causes. Returns NaN for
+   a null pointer and if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vmi_drum_wave w;
@@ -7980,9 +8016,9 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
    The deflection is a product of an amplitude and a cosine, plus a particular solution. Its derivative is
      amplitude [(A/(4 m^2) - delta) cos(I + alpha) - k m sin(I + alpha)] + A particular/m^4,   m^2 = 1 - A phi,
    with the letters of vm_drum_deflection. The dissertation [1] leaves out the term with A/4, and its last term is
-   different. The derivative multiplied by the angular velocity phi' is the velocity of the shaft's centre. The absolute
-   error is a few rounding errors of the term amplitude (k m + |delta|), plus the effect of the rounding error of the
-   phase. Returns NaN where vm_drum_deflection does. */
+   different. The derivative multiplied by the angular velocity phi' is the velocity of the shaft's centre. The
+   absolute error is a few rounding errors of the product amplitude (k m + |delta|), plus the effect of the rounding
+   error of the phase. Returns NaN where vm_drum_deflection does. */
 VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
                                         vm_real particular)
 {
@@ -7996,10 +8032,10 @@ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_
 /* Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0.
    `deflection` is x or y (m) when the winding begins, and `slope` is its derivative with respect to phi (m/rad). If you
    know a velocity in m/s, divide it by Omega_b to get the slope. `particular` must be 0 for x and s->shift for y. The
-   function sets *a to the amplitude a >= 0 (m) and *alpha to the phase in [-pi, pi] (rad). They follow from the
-   equations
+   function sets *a to the amplitude a >= 0 (m) and *alpha to the phase in [-pi, pi] (rad). Amplitude and phase follow
+   from the equations
      a cos alpha = deflection - particular,   a k sin alpha = (A/4 - delta) a cos alpha + A particular - slope.
-   The errors are a few rounding errors of the terms on the right-hand sides, divided by k in the second equation.
+   The errors of a cos alpha and of a k sin alpha are a few rounding errors of the terms on the right-hand sides.
    Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN
    if s->k is not positive; VM_OK otherwise. */
 VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, vm_real slope, vm_real particular,
@@ -8031,17 +8067,18 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
 }
 
 /* Deflection of the elastic shaft by the unbalance of the band, which (224), (225) leave out.
-   The band's mass centre is off the shaft, so that (213), (214) need the terms U sin phi and -U cos phi, U = mu R/M0,
-   on their right sides. These terms are of the same order as the term mu v/(M0 Omega_b), which [1] keeps. Add
-   deflection[0] (x) and deflection[1] (y), m, to the two results of vm_drum_deflection, and slope[0], slope[1] (m/rad)
-   to those of vm_drum_deflection_slope. All four numbers are 0 at phi = 0, so that vm_drum_deflection_start needs no
-   change. With k, the field of vm_drum_shaft, the deflections are
+   The band's mass centre is not on the axis of the shaft. Therefore (213) needs the term U sin phi on its right side,
+   and (214) the term -U cos phi, with U = mu R/M0. These terms are of the same order as the term mu v/(M0 Omega_b),
+   which [1] keeps. Add deflection[0] (m) to the result of vm_drum_deflection for x, and deflection[1] to the result
+   for y. Add slope[0] and slope[1] (m/rad) in the same way to the results of vm_drum_deflection_slope. All four
+   numbers are 0 at phi = 0, so that vm_drum_deflection_start needs no change. With k, the field of vm_drum_shaft, the
+   deflections are
      x = U (sin phi - sin(k phi)/k)/(k^2 - 1),   y = -U (cos phi - cos(k phi))/(k^2 - 1).
    At the resonance k = 1 the function computes the limits of these formulas, which grow with phi. phi >= 0 is in rad.
    Let h be the largest of mu/M0, j/J0, |e|/(J0 Omega_b) and the deflections divided by R. The error of the whole
-   deflection is of the order of h^2. The rounding errors are a few eps times U phi (1 + phi), and those of x a few eps
-   times U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is
-   infinite or NaN; VM_DOMAIN if phi is negative; else a status of vm_drum_shaft_init. */
+   deflection is of the order of h^2. The rounding errors of y and of the slopes are a few eps times U phi (1 + phi),
+   and those of x a few eps times U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN; VM_DOMAIN if phi is negative; else a status of vm_drum_shaft_init. */
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
 {
     vm_drum_shaft s;
@@ -8077,8 +8114,8 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
 
 /* Angular velocity phi' on an elastic shaft, rad/s: (196) corrected by the deflection (224).
    `rise` is the deflection y(phi) - y(0) in the band's direction since the winding began, m, for example by
-   vm_drum_deflection and vm_drum_unbalance. If the rim of the drum rises with the band, the band drives the drum
-   less. To the first order in rise the solution of (212) and (215) is
+   vm_drum_deflection and vm_drum_unbalance. If the drum rises in the direction of the band, the band moves more slowly
+   relative to the drum, and therefore drives the drum less. To the first order in `rise`, (212) and (215) give
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
    mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. Let h be the largest of the
    four numbers mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b). The error is of the order of h^2 Omega_b: if all four
@@ -8091,26 +8128,27 @@ VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
     return rate * (1 - d->band * d->radius * rise / (d->inertia + d->band * d->radius * d->radius * phi));
 }
 
-/* Tests whether the shaft's frequency k sqrt(1 - A phi) stays real while the whole first layer is wound up (226).
-   Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
+/* Tests whether the shaft's frequency k sqrt(1 - A phi) stays real until the first layer is complete (226).
+   The first layer is complete at phi = 2 pi. Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 #endif
 /* mechanics/lagrange.h - Lagrange's equations with variable mass
 
    This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
-   down. The masses may depend on time and position (247). You write functions for T, the masses and the generalized
-   forces Q. The functions of this chapter compute the mass matrix A, the vector b and the derivatives of T from values
-   of T. The states are the coordinates q and the momenta pi = dT/dq', so that you need no time derivatives of momenta
-   or masses:
+   down. The masses may depend on time and position, as in equation (247) of the dissertation [1]. You write functions
+   for T, the masses and the generalized forces Q. The functions of this chapter compute the mass matrix A, the vector
+   b and the derivatives of T from values of T. The states are the coordinates q and the momenta pi = dT/dq', with q' =
+   dq/dt. Therefore you need no time derivatives of momenta or masses:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
-   These equations are (247), corrected. T must use the velocities of material points. A mass centre also moves inside
-   its body because mass leaves; this motion must not be counted in T. With streams of mass, Lagrange's equations are
+   These equations are the corrected form of (247). T must use the velocities of material points. If mass leaves, the
+   mass centre also moves relative to the material of its body; this motion must not be counted in T. With streams of
+   mass, Lagrange's equations are
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum over streams [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
    unit mass, the inertia kappa. omega is the angular velocity of the body. "Masses frozen" means that the masses are
-   held constant in the derivative dT/dq_i, although (244)-(247) may be read as if they varied.
+   held constant in the derivative dT/dq_i. The equations (244)-(247) do not say so clearly.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -8134,16 +8172,16 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
        }
 
    Your Q must contain the terms of the streams, too. Example: a pendulum of length l and angle q has a bob that leaks
-   mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
-   Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
+   mass, so that its mass m decreases. If the leaking mass leaves with the velocity of the bob, Q = -m g l sin q + m'
+   l^2 q'. Without the last term the equation would describe mass that leaves at rest.
 
    vm_lagrange_needed_forces and vm_lagrange_drive_forces compute the forces that a given motion needs (inverse
    dynamics).
 
-   Accuracy: A and b are computed as differences of values of T; their only errors are the rounding errors of T. dT/dq
-   is a central difference of order 6 (its error is proportional to the sixth power of the step). The field `scales`
-   must contain, for each coordinate, the change of the coordinate that changes T noticeably. The error of dT/dq is then
-   below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
+   Accuracy: A and b are computed as differences of values of T, so that they have no errors except rounding errors.
+   dT/dq is a central difference of order 6 (its error is proportional to the sixth power of the step). The field
+   `scales` must contain, for each coordinate, the change of the coordinate that changes T noticeably. The error of
+   dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -8159,8 +8197,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
        to go on; any other number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* the argument ctx of the three functions above */
-    const vm_real *scales; /* for each coordinate, the change of it that changes T noticeably; NULL means that each of
-                              these changes is 1 */
+    const vm_real *scales; /* for each coordinate, the change of the coordinate that changes T noticeably; NULL means
+                              that each of these changes is 1 */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
@@ -8171,7 +8209,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
-    vm_real *rates;  /* at first pi - b (pi: the generalized momenta), then the rates q', n numbers */
+    vm_real *rates;  /* first pi - b with the generalized momenta pi, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -8205,7 +8243,7 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
    the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. The kinetic energies of the two rates
-   are then equal. If they were very different, the digits of the smaller one would be lost in the sum. */
+   are then equal. If one of the two energies were much smaller, its digits would be lost in the sum. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -8229,7 +8267,7 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
         }
 }
 
-/* Writes the masses at time t and coordinates q into the work array. They stay constant there while T is
+/* Writes the masses at time t and coordinates q into the work array, where the masses stay constant while T is
    differentiated. */
 VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
@@ -8237,7 +8275,7 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y contains the coordinates q and the momenta pi. Returns
-   VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if A is not positive definite for another reason, and VM_OK
+   VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if they are finite but A is not positive definite, and VM_OK
    otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
@@ -8252,11 +8290,11 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
-   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step h is 2^-7 (double precision, eps = 2^-52)
-   or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is measured in units of its scale, the error
-   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both errors are small for these
-   values of h. */
+/* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. The function
+   computes it as a central difference of order 6, from the values of T at q_i plus and minus 1, 2 and 3 steps. A step
+   h is 2^-7 (double precision, eps = 2^-52) or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is
+   measured in units of its scale, the error is h^6/140 times the seventh derivative of T, plus a rounding error of T
+   eps/h. Both errors are small for these values of h. */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -8392,8 +8430,9 @@ VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real 
     return h / fastest;
 }
 
-/* Adds to p the time derivatives that the momenta have if coordinates and time change while the rates q' stay constant.
-   The derivatives are computed as central differences of order 6. If time_scale is 0, the time stays constant, too. */
+/* Adds to p the time derivatives that the momenta would have if coordinates and time changed, but the rates q' did
+   not. The derivatives are computed as central differences of order 6. If time_scale is 0, the time stays constant,
+   too. */
 VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
                                             const vm_real *q, const vm_real *rates, vm_real *p)
 {
@@ -8414,8 +8453,8 @@ VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm
     }
 }
 
-/* Checks the arguments of vm_lagrange_needed_forces, and writes the forces that it computes to the work array. Returns
-   its status. */
+/* Checks the arguments of vm_lagrange_needed_forces, and writes the needed forces to the work array. Returns the
+   status of vm_lagrange_needed_forces. */
 VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                 const vm_real *rates, const vm_real *accelerations)
 {
@@ -8440,15 +8479,15 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
 }
 
 /* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
-   The forces are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses held constant). Q is the sum of all generalized forces, those
-   of the streams of mass included. q, rates and accelerations are the n coordinates q and their derivatives q' and q''
-   at time t; Q has n numbers. time_scale (s) is the time in which T or the masses change noticeably while q stays
-   constant (the field `scales` contains the corresponding changes of the coordinates). Set it to 0 if T and the masses
-   do not depend on time. Returns VM_BAD_ARGUMENT for a null pointer or an invalid system; VM_NOT_FINITE if an argument
-   or the result is infinite or NaN; VM_DOMAIN for time_scale < 0; VM_SINGULAR if T does not grow with each of the
-   rates; VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of three terms: the mass matrix A times
-   q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system changes noticeably. T
-   is evaluated 14 n^2 + 6 n + 7 times. */
+   The forces are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses held constant). Q is the sum of all generalized forces, and
+   includes the forces of the streams of mass. q, rates and accelerations are the n coordinates q and their derivatives
+   q' and q'' at time t; Q has n numbers. time_scale (s) is the time in which T or the masses change noticeably while q
+   stays constant (the field `scales` contains the corresponding changes of the coordinates). Set it to 0 if T and the
+   masses do not depend on time. Returns VM_BAD_ARGUMENT for a null pointer or an invalid system; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN; VM_DOMAIN for time_scale < 0; VM_SINGULAR if T does not grow with each of
+   the rates; VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of three terms: the mass matrix A
+   times q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system changes
+   noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {
@@ -8482,14 +8521,15 @@ VM_API int vm_lagrange_drive_forces(vm_lagrange_system *system, vm_real t, vm_re
 #endif
 /* oscillators/force_terms.h - terms of forces that both oscillators and scenes use
 
-   Each formula is written only once, here, so that an oscillator and an effect of a scene compute the same force:
+   Each formula is written only here, so that an oscillator and an effect of a scene compute the same force. Numbers in
+   brackets are equations of the dissertation.
        vm_real feed = vmi_van_der_pol_feed(VM_C(0.1), VM_C(0.2), 2); // N s/m at x = 2 m: force over velocity
    Tests: tests/test_van_der_pol.c, tests/test_jeffcott.c, tests/test_forces.c. */
 #ifndef VARMASS_OSCILLATORS_FORCE_TERMS_H
 #define VARMASS_OSCILLATORS_FORCE_TERMS_H
 
-/* x|x|^(alpha-1), alpha >= 0, by the power function: the force of a spring divided by -k. The calling function treats
-   x = 0 and the exponents for which no power function is needed. */
+/* x|x|^(alpha-1), alpha >= 0, by the power function. It is the force of a spring with the stiffness k, divided by -k.
+   The calling function treats x = 0 and the exponents for which no power function is needed. */
 VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
 {
     return VM_COPYSIGN(vmi_pow_checked(VM_FABS(x), alpha), x);
@@ -8500,19 +8540,19 @@ VM_INLINE vm_real vmi_elastic_power(vm_real x, vm_real alpha)
 VM_INLINE vm_real vmi_van_der_pol_feed(vm_real feed, vm_real c, vm_real x) { return feed - c * (x * x); }
 
 /* The gyroscopic coupling 2 gyro, kg/s. The gyroscopic force is this coupling times the velocity, turned by +90
-   degrees. The argument gyro is called g in the remark after (516), kg/s. */
+   degrees. The argument gyro, kg/s, is the letter g in the remark after (516). */
 VM_INLINE vm_real vmi_gyroscopic_coupling(vm_real gyro) { return 2 * gyro; }
 
 #endif
 /* oscillators/waves.h - the periodic functions ca, cos and cn that describe a strongly nonlinear oscillator
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
-   the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
-   amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave describes one of
-   these three waves: the wave c of the position, the wave s of the velocity, and the factors turn, speed, gain_A and
-   gain_theta. Each wave has an angle of its own, the argument of ca, cos or cn. While psi grows by 1, this angle grows
-   by `turn`, which is 1 for ca. A small force F on the mass m adds a slow part theta to the angle. The averaged
-   equations are then
+   the phase psi, (282) and (283) of the dissertation; A is the amplitude, vmax(A) the largest velocity. Two simpler
+   waves with the same amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A
+   vmi_osc_wave describes one of these three waves: the wave c of the position, the wave s of the velocity, and the
+   factors turn, speed, gain_A and gain_theta. Each wave has an angle of its own, the argument of ca, cos or cn. While
+   psi grows by 1, this angle grows by `turn`, which is 1 for ca. A small force F on the mass m adds a slow part theta
+   to the angle. The averaged equations are then
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
    where <> is the mean over a period, and q the rate at which damping and slow changes of stiffness and mass change the
    motion. To add another wave, write a constructor and a function that evaluates the wave.
@@ -8611,7 +8651,7 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
 }
 
 /* Estimates the error of cn in place of ca. The estimate is the difference between the means of cn^2 and of ca^2, times
-   a factor that is fitted to the largest errors of cn. The difference is 0 where cn is exact. */
+   a factor that fits the largest errors of cn. This difference is 0 where cn is exact. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
@@ -8648,8 +8688,8 @@ VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 }
 
 /* Writes to *x_error the largest difference between the wave c and ca, and to *v_error the largest difference between
-   w->speed s and sa. Both are found from points in a quarter of the period, which are densest near x = 0. The argument
-   `pi` is Pi_alpha, half the period of ca. */
+   w->speed s and sa. The function compares the waves at 257 points of a quarter of the period, which are densest near x
+   = 0. The argument `pi` is Pi_alpha, half the period of ca. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;
@@ -8672,15 +8712,15 @@ VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real 
 /* oscillators/constant_mass.h - the oscillator x'' + omega0^2 x|x|^(alpha-1) = 0 of constant mass
 
    A mass m is fixed to a spring with the force -k x|x|^(alpha-1), and omega0 = sqrt(k/m). alpha is any real
-   number >= 0: 1 is the linear spring, 3 the cubic one. This file has the period of the motion (262), its largest
-   velocity (267) and its energy (259); the exact motion by the Ateb functions (282), (283) from rest or from any state;
-   and the approximations by the cosine (291)-(296) and by Jacobi's cn (297)-(307) with their errors (268). The shortest
-   useful calls:
+   number >= 0: 1 is the linear spring, 3 the cubic one. Numbers in brackets are equations of the dissertation. This
+   file has the period of the motion (262), its largest velocity (267) and its energy (259). It has the exact motion by
+   the Ateb functions (282), (283), from rest or from any state. It also has the approximations by the cosine
+   (291)-(296) and by Jacobi's cn (297)-(307), with their errors (268). The shortest useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
-   The functions return or write NaN for alpha < 0 and for infinite arguments, and functions with outputs write nothing
-   where the pointer to an output is null. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A is
-   the amplitude, psi the Ateb phase, Om the rate of psi.
+   The functions return or write NaN for alpha < 0 and for infinite arguments. If a pointer to an output is null,
+   nothing is written. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A is the amplitude, psi
+   the Ateb phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -8789,7 +8829,7 @@ VM_API void vm_osc_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real omega0,
 }
 
 /* The mean of |ca|^power over a period. It is B(q, 1/2)/Pi_alpha with q = (power+1)/(alpha+1) and Euler's beta function
-   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is Pi_alpha of another exponent, 1/q - 1; for larger q it
+   B; the argument pi is Pi_alpha. For q <= 1, B(q, 1/2) is the Pi_alpha of the exponent 1/q - 1. For q > 1, B(q, 1/2)
    follows from the recurrence formula of B. `constants` is the function that computes Pi_alpha of a given exponent. */
 VM_API vm_real vmi_osc_mean_ca(vm_real power, vm_real alpha, vm_real pi, vmi_ateb_constants_of constants)
 {
@@ -8811,8 +8851,8 @@ VM_API void vmi_osc_by_wave(const vmi_osc_wave *w, vm_real t, vm_real x0, vm_rea
     *v = -VM_COPYSIGN(w->speed * vm_osc_vmax(x0, omega0, w->alpha), x0) * s;
 }
 
-/* Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number. It is the frequency
-   for x0 = omega0 = 1; in general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
+/* Frequency Omega_alpha (293) of the cosine with the exact period of the oscillator, a pure number. Omega_alpha is the
+   frequency for x0 = omega0 = 1. In general the frequency is Omega_alpha omega0 |x0|^((alpha-1)/2), rad/s. */
 VM_API vm_real vm_osc_omega_trig(vm_real alpha) { return VM_PI * vmi_osc_rate(1, 1, alpha) / ateb_pi(alpha); }
 
 /* Approximation x0 cos(Omega t) (291) and its velocity (295), from rest at x0. Amplitude and period are exact. The
@@ -8828,9 +8868,9 @@ VM_API void vm_osc_trig(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, vm
    -1.8079 < m < 0.8062. */
 VM_API vm_real vm_osc_jacobi_parameter(vm_real alpha) { return jacobi_solve_kpK(ateb_pi(alpha) / (alpha + 1)); }
 
-/* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. It is the frequency for x0
-   = omega0 = 1; in general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. Omega_1* is computed by (300),
-   where the quarter period of cn is K = Pi_alpha/((alpha+1) k') by (307). */
+/* Frequency Omega_1* (300) of the cn with the exact period of the oscillator, a pure number. Omega_1* is the frequency
+   for x0 = omega0 = 1. In general the frequency is Omega_1* omega0 |x0|^((alpha-1)/2), 1/s. The function uses (300),
+   with the quarter period of cn from (307): K = Pi_alpha/((alpha+1) k'). */
 VM_API vm_real vm_osc_omega_jacobi(vm_real alpha)
 {
     return VM_SQRT(2 / ((alpha + 1) * jacobi_solve_kpK_m1(ateb_pi(alpha) / (alpha + 1))));
@@ -8846,14 +8886,13 @@ VM_API void vm_osc_jacobi(vm_real t, vm_real x0, vm_real omega0, vm_real alpha, 
     vmi_osc_by_wave(&w, t, x0, omega0, x, v);
 }
 
-/* The result of vm_osc_approximation_errors: the largest velocity of each approximation divided by the exact one,
-   (268), and the largest errors of x and v of each approximation in a period. All are pure
-   numbers. */
+/* The result of vm_osc_approximation_errors: for each approximation its largest velocity divided by the exact largest
+   velocity (268), and the largest errors of x and v in a period. All are pure numbers. */
 typedef struct VM_TAG(vm_osc_errors) {
     vm_real trig_vmax;          /* largest velocity of the cosine (296) divided by the exact one (267) */
-    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one (267). For m <= 1/2 the velocity of
-                                   cn is largest at x = 0, where it is k' Omega_1 (306); for m > 1/2 it is largest where
-                                   cn^2 = 1 - 1/(2m), namely Omega_1/(2k) */
+    vm_real jacobi_vmax;        /* largest velocity of cn divided by the exact one (267). For m <= 1/2 the largest
+                                   velocity of cn is k' Omega_1 (306), at x = 0. For m > 1/2 it is Omega_1/(2k), where
+                                   cn^2 = 1 - 1/(2m). Here k = sqrt(m), k' = sqrt(1 - m) */
     vm_real trig_x, trig_v;     /* largest errors of the cosine, of x relative to x0 and of v relative to vmax */
     vm_real jacobi_x, jacobi_v; /* largest errors of cn, of x relative to x0 and of v relative to vmax */
 } vm_osc_errors;
@@ -8879,11 +8918,11 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
 #endif
 /* oscillators/legendre.h - Gauss' rule of 20 points and series of Legendre polynomials on [-1, 1]
 
-   A smooth function on [-1, 1] is represented by the series sum coefficient[k] P_k(x), k = 0 ... 19, with Legendre's
-   polynomials P_k. Its integral over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds the coefficients from the
-   values at the points of Gauss' rule. The other functions evaluate, integrate and differentiate the series, and
-   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use these functions. Tests:
-   tests/test_laws.c, tests/test_routes.c. */
+   A smooth function on [-1, 1] is represented by a series, the sum of coefficient[k] P_k(x) over k = 0 ... 19, where
+   P_k are Legendre's polynomials. The integral of the function over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds
+   the coefficients from the values at the points of Gauss' rule. The other functions evaluate, integrate and
+   differentiate the series, and measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use
+   these functions. Tests: tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 
@@ -8918,8 +8957,9 @@ VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
     return ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
 }
 
-/* Writes the coefficients a and b of the series of two functions, from their values at the points of Gauss' rule. It
-   treats two functions in one call, since most of the computing time is spent on the polynomials. */
+/* Writes the coefficients a and b of the series of two functions, from their values at the points of Gauss' rule. One
+   call treats two functions, since most of the computing time is spent on the polynomials, which both functions
+   share. */
 VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, vm_real *a, vm_real *b)
 {
     int i, k;
@@ -9011,15 +9051,15 @@ VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
 /* oscillators/laws.h - laws of time for mass, stiffness and other numbers
 
    A vm_law describes a number f(t) that depends on time: the mass of a body (kg), the stiffness of its spring
-   (N/m^alpha), or the frequency (1/s) and the size (N) of a force on it (oscillators/forced.h). A constructor makes it:
-   linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a function of the user. The shortest
-   useful call:
+   (N/m^alpha), or the frequency (1/s) and the size (N) of a force on it (oscillators/forced.h). There is a constructor
+   for each kind of law: linear f0 + f1 t (equation (346) of the dissertation), quadratic, exponential, power, the
+   points of a table, or a function of the user. The shortest useful call:
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
-   Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
-   No code outside this section depends on the kind of the law. vm_law_inverse_integral (oscillators/panels.h)
-   integrates 1/f from 0 to t.
+   Each kind of law has a section below, with its own functions and with the constructor that makes a vm_law point to
+   these functions. Nearly all other code is the same for all kinds of laws. vm_law_inverse_integral
+   (oscillators/panels.h) integrates 1/f from 0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
@@ -9029,9 +9069,9 @@ VM_API vm_real vmi_legendre_tail(const vm_real *coefficient)
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
 /* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it;
-   only change_time may be set by hand. The law points to the arrays of its table, to the user's function and to ctx;
-   they must exist as long as the law is used. The law also points to functions of this header, so on a GPU the
-   constructor must be called on the GPU. */
+   only change_time may be set by hand. The law points to the arrays of its table, to the user's function and to the
+   data at ctx; these must exist as long as the law is used. The law also points to functions of this header, so on a
+   GPU the constructor must be called on the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in their order; 0 for tables and functions */
@@ -9086,8 +9126,8 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be made by
-   vm_law_user. */
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. This function must not be called
+   for a law made by vm_law_user. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
     const vm_real length = 1; /* 1 s; with any positive length f'' is written */
@@ -9238,8 +9278,8 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* The exponential form of a quadratic law. It exists only if the law is a square within rounding errors: f0 (1 + base
-   t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if it exists, else 0. */
+/* The exponential form of a quadratic law. This form exists only if the law is a square within rounding errors: f0 (1 +
+   base t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if the form exists, else 0. */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -9340,9 +9380,9 @@ VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2)
 /* -- Tables -- */
 
 /* Slope of the law at the first or last point of a table. It is the slope of the parabola through the three points at
-   this end, limited so that the cubic stays monotone. A chord joins two neighbouring points of the table. h_end and
-   d_end are the length in time and the slope of the chord at the end, h_next and d_next those of the chord next to
-   it. */
+   this end of the table. The slope is limited so that the cubic between the end and its neighbouring point stays
+   monotone. A chord joins two neighbouring points of the table. h_end and d_end are the length in time and the slope of
+   the chord at the end, h_next and d_next those of the chord next to it. */
 VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, vm_real d_next)
 {
     const vm_real slope = ((2 * h_end + h_next) * d_end - h_end * d_next) / (h_end + h_next);
@@ -9351,9 +9391,9 @@ VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, v
     return slope;
 }
 
-/* Slope of the law at point i of a table. At an inner point it is the weighted harmonic mean of the slopes of the two
-   chords that meet there, and 0 at an extremum (Fritsch and Butland). A chord joins two neighbouring points of the
-   table. */
+/* Slope of the law at point i of a table. A chord joins two neighbouring points of the table. At an inner point the
+   slope is the weighted harmonic mean of the slopes of the two chords that meet there; at an extremum the slope is 0
+   (Fritsch and Butland). */
 VM_API vm_real vmi_law_slope(const vm_law *law, int i)
 {
     const vm_real *t = law->time, *f = law->value;
@@ -9411,8 +9451,8 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     return VM_OK;
 }
 
-/* Checks the whole table, whatever t is: its values must be finite, and positive unless if_not_positive is VM_OK; its
-   times must be finite and must rise. */
+/* Checks the whole table, for any t. Its times must be finite and must rise, and its values must be finite. If
+   if_not_positive is not VM_OK, the values must also be positive. */
 VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
@@ -9475,9 +9515,9 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
 }
 
 /* Writes the Legendre series of the rate f' between t and t + *length. The length is halved until the last terms of the
-   series are only rounding errors. They count as rounding errors when a further halving hardly makes them smaller. All
-   terms that are not larger than these rounding errors are set to 0. The length is also halved where the user's
-   function fails, because the function may be defined only close to t. */
+   series are only rounding errors. These terms count as rounding errors when they hardly become smaller if the length
+   is halved again. All terms that are not larger than these rounding errors are set to 0. The length is also halved
+   where the user's function fails, because the function may be defined only close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -9550,9 +9590,9 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     return law;
 }
 
-/* The longest panel of time, s, for integrals along the law from 0 to t: short enough to notice the changes that
-   vm_law_user promises to find. `whole` is |t|. The result is not 0, even if `whole` is so small that whole/32
-   underflows. */
+/* The longest panel, s, for integrals of the law over the time from 0 to t. A panel is an interval of time; it is so
+   short that the integration finds all changes that the comment at vm_law_user promises to find. `whole` is |t|. The
+   result is not 0, even if `whole` is so small that whole/32 underflows. */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
     const vm_real longest = vmi_larger(whole / 32, VM_MIN);
@@ -9566,9 +9606,9 @@ VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
-   Ten methods, called routes, compute x(t) and x'(t). The functions for them are in oscillators/routes.h, which also
-   shows the shortest useful call. `reactive` is 1 where mass that joins or leaves is at rest, and 0 where it has the
-   body's velocity. With a plan (oscillators/plan.h) one motion is evaluated at many values of t.
+   Ten methods, called routes, compute x(t) and x'(t). The functions of the routes are in oscillators/routes.h, which
+   also shows the shortest useful call. `reactive` is 1 where mass that joins or leaves is at rest, and 0 where this
+   mass has the body's velocity. With a plan (oscillators/plan.h) one motion is evaluated at many values of t.
    Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PROBLEM_H
 #define VARMASS_OSCILLATORS_PROBLEM_H
@@ -9652,23 +9692,25 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 #endif
 /* oscillators/loads.h - mass that joins or leaves an oscillator with a velocity, and damping that depends on time
 
-   In the equation of motion of a vm_osc_problem (oscillators/problem.h) mass joins or leaves at rest, u = 0, and the
-   damping is constant. The dissertation's equation (248) has the reactive force m' (u - x') with any velocity u along
-   x. A vm_osc_load adds the missing part m' u of this force, and a damping that depends on time, on the right side:
+   In the equation of motion of a vm_osc_problem (oscillators/problem.h) the mass that joins or leaves has the absolute
+   velocity u = 0, and the damping is constant. Equation (248) of the dissertation has the reactive force m' (u - x')
+   with any velocity u along x. A vm_osc_load adds the missing part m' u of this force, and a damping that depends on
+   time, on the right side:
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = reactive m' u(t) - damping(t) x' + force(t, x, x')
-   m' is the rate of the mass, u(t) the absolute velocity of the mass that joins or leaves, damping(t) a law that adds
-   to the constant b of the problem, and force the problem's own further force, if there was one. Of the routes in
-   oscillators/routes.h, those that allow a force compute the motion: the first-order averaged equations and the
-   integrations. The shortest useful call, for a problem with the fields of oscillators/problem.h:
+   m' is the rate of the mass, and u(t) the absolute velocity of the mass that joins or leaves. damping(t) is a law of
+   time; b is the constant damping of the problem. `force` is the further force that the problem had before, if any. The
+   motion is computed by those routes of oscillators/routes.h that allow a force: the first-order averaged equations and
+   the integrations. The shortest useful call, for a problem with the fields of oscillators/problem.h:
        const vm_law u = vm_law_linear(VM_C(0.3), 0), damping = vm_law_linear(VM_C(0.02), VM_C(0.001));
        vm_osc_load load;
        vm_osc_motion motion;
        int status = vm_osc_load_init(&load, &problem, &u, &damping); // 0.3 m/s; 0.02 kg/s, growing
        if (!status) status = vm_osc_within(&problem, 10, VM_C(1e-6), &motion);
-   To first order a thrust m' u does not change the averaged amplitude, since its work over a period is 0. It only moves
-   the middle of the vibration, for alpha = 1 by m' u/k. The results of the averaged equations do not contain this
-   shift; their field `error`, an estimate, includes it. With damping(t) the amplitude follows vm_osc_amplitude_law; the
-   argument decay of this function is computed by vm_law_ratio_integral(&damping, &mass, t, &decay).
+   To first order a thrust m' u does not change the averaged amplitude, since the work of the thrust over a period is 0.
+   The thrust only moves the middle of the vibration, for alpha = 1 by m' u/k. The results of the averaged equations do
+   not contain this shift; their field `error`, an estimate, includes it. With damping(t) the amplitude follows
+   vm_osc_amplitude_law; the argument decay of this function is computed by vm_law_ratio_integral(&damping, &mass, t,
+   &decay).
    Tests: tests/test_loads.c. */
 #ifndef VARMASS_OSCILLATORS_LOADS_H
 #define VARMASS_OSCILLATORS_LOADS_H
@@ -9678,7 +9720,8 @@ VM_API int vmi_osc_check_problem(const vm_osc_problem *o, vm_real t, vm_real *ma
 typedef struct VM_TAG(vm_osc_load) {
     vm_law mass;        /* mass m(t) of the oscillator, kg, whose rate m' the thrust needs */
     vm_law u;           /* velocity of the mass that joins or leaves, m/s */
-    vm_law damping;     /* damping, kg/s, in addition to the damping of the problem; a positive one takes energy out */
+    vm_law damping;     /* damping, kg/s, in addition to the damping of the problem; positive damping takes energy
+                           out */
     vm_real reactive;   /* share of the thrust m' u that acts; vm_osc_load_init copies it from the problem. If u is the
                            velocity relative to the oscillator, set the field `reactive` of the problem to 0, call
                            vm_osc_load_init, and then set this field to 1. */
@@ -9708,13 +9751,14 @@ VM_API vm_real vm_osc_load_force(vm_real t, vm_real x, vm_real v, void *load)
 /* Gives an oscillator a velocity u of the mass that joins or leaves, and a damping that depends on time.
    u_or_NULL is the law of this velocity, m/s, and damping_or_NULL the law of the damping, kg/s, which adds to the
    problem's constant damping; a null pointer means 0. The function fills *load, and sets problem->force and
-   problem->ctx so that the problem uses *load. A force that the problem had before still acts. Call it once for a
-   problem, after its other fields are set. If u or damping is a table, the integrations make no stop at its points. For
-   this reason they need more steps, but they are not less accurate. Returns VM_BAD_ARGUMENT if load or problem is null,
-   for a law that no constructor made, and for a problem that has this load already; VM_NOT_FINITE where a number of the
-   problem or a law at t = 0 is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not
-   positive at t = 0 or in its table; VM_DOMAIN for alpha < 0, for a law that has no value at t = 0, and for a table or
-   a change_time that is not valid; VM_OK otherwise. An error leaves *load and *problem untouched. */
+   problem->ctx so that the problem uses *load. A force that the problem had before still acts. Call vm_osc_load_init
+   once for a problem, after the other fields of the problem are set. If u or damping is a table, the integrations make
+   no stop at the points of this table. Therefore the integrations need more steps, but they are not less accurate.
+   Returns VM_BAD_ARGUMENT if load or problem is null, for a law that no constructor made, and for a problem that has
+   this load already; VM_NOT_FINITE where a number of the problem or a law at t = 0 is infinite or NaN; VM_BAD_MASS or
+   VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at t = 0 or in its table; VM_DOMAIN for alpha < 0,
+   for a law that has no value at t = 0, and for a table or a change_time that is not valid; VM_OK otherwise. An error
+   leaves *load and *problem untouched. */
 VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm_law *u_or_NULL,
                             const vm_law *damping_or_NULL)
 {
@@ -9747,8 +9791,9 @@ VM_API int vm_osc_load_init(vm_osc_load *load, vm_osc_problem *problem, const vm
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
    = 0. m(t) is the mass and k(t) the stiffness. The functions mu(t) and kappa(t) follow from mu'/mu = a with a =
    (reactive m' + b)/m, and from kappa/mu = k/m. `reactive` is 1 where mass that joins or leaves is at rest, and 0 where
-   it has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
-   Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
+   this mass has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   Then, with the Ateb functions ca and sa, x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a
+   phase psi, which obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
    where W is the rate that the phase has at the amplitude A if mass and stiffness are constant. Only G_0 disturbs the
    slow motion A'/A = -p, psi' = W, and G_0 is of second order in the rates of mass and stiffness. The numbers G_1, G_2
@@ -9772,21 +9817,21 @@ typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate;       /* k'/k, 1/s */
-    vm_real unit;         /* a time of about 1/W, s, by which the G_i are made pure numbers, so that powers of very
-                             large or small rates do not overflow */
+    vm_real unit;         /* a time of about 1/W, s; its powers make the G_k pure numbers, so that powers of very large
+                             or small rates do not overflow */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
 } vmi_osc_slow;
 
-/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. They follow from the values and first
-   derivatives of the laws alone. */
+/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. These numbers need only the values and
+   the first derivatives of the laws. */
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p; /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate; /* k'/k, 1/s */
 } vmi_osc_rates;
 
-/* Writes mass, stiffness and their rates at t to *r. Where the rates jump at t, side = 1 asks for the rates after t,
-   side = -1 for the rates before t. Returns the statuses of vmi_law_derivatives. */
+/* Writes mass, stiffness and their rates at t to *r. Where the rates jump at t, side = 1 means the rates after t, and
+   side = -1 the rates before t. Returns the statuses of vmi_law_derivatives. */
 VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
@@ -9931,10 +9976,11 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
     vmi_osc_find_G(n, m, k, now);
 }
 
-/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for the derivatives after t, side =
-   -1 for those before t. The comment of vmi_law_derivatives explains the argument `length`, s. The argument `unit`, s,
-   becomes the field `unit` of *now. Returns VM_OK, or the status of a law that fails: VM_BAD_MASS or VM_BAD_STIFFNESS
-   if it is not positive, VM_DOMAIN if it has no value at t, VM_NOT_FINITE if a number is infinite or NaN. */
+/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 means the derivatives after t, and side
+   = -1 the derivatives before t. The comment of vmi_law_derivatives explains the argument `length`, s. The argument
+   `unit`, s, becomes the field `unit` of *now. Returns VM_OK, or the status of a law that fails: VM_BAD_MASS or
+   VM_BAD_STIFFNESS if the law is not positive, VM_DOMAIN if it has no value at t, VM_NOT_FINITE if a number is infinite
+   or NaN. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
@@ -10014,8 +10060,8 @@ VM_API void vmi_osc_disturbance(const vmi_osc_slow *now, vm_real W, vm_real *E)
    < > is the mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
      S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
    A vmi_ripple contains what is computed once for an alpha: polynomials that approximate these integrals, and constants
-   of the law of order five (oscillators/expansion.h). It contains no pointers, so that a constant vmi_ripple may lie in
-   flash memory.
+   of the law of order five (oscillators/expansion.h). A vmi_ripple contains no pointers; therefore a constant
+   vmi_ripple may lie in flash memory.
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
@@ -10091,9 +10137,9 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 }
 
 /* Replaces the coefficients i - 1 of the power series in *s by the coefficients i; before the call with i = 0 all must
-   be 0. For `order` up to 3 only the series for the integral of ca^2 are computed. Method: let I be the integral of
-   ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D. The differential equations
-   D'' = ca^2 and E'' = I give each coefficient of D and E from the previous coefficient. */
+   be 0. For `order` up to 3 the function computes only the series for the integral of ca^2. Method: let I be the
+   integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D. The
+   differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the previous coefficient. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -10145,9 +10191,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set. Polynomials that the law of order five needs only beyond `order`
-   become 0. The function adds up the power series, in which each power w^i or y^i is replaced by its Chebyshev
-   series. */
+/* Makes the eight polynomials, four in each set. Polynomials that the law of order five needs only for terms above
+   `order` become 0. The function adds up the power series; in the sum it replaces each power w^i or y^i by the
+   Chebyshev series of this power. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -10196,8 +10242,8 @@ typedef struct VM_TAG(vmi_ripple_integrals) {
                                         integral of `first` */
 } vmi_ripple_integrals;
 
-/* A place, that is a phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers from which the
-   integrals from the zero to this place follow. At sa^2 = 1/2 one set of polynomials replaces the other. */
+/* A place is a phase between a zero of ca or sa and the phase where sa^2 = 1/2. The struct has the numbers that give
+   the integrals from the zero to this place. At sa^2 = 1/2 one set of polynomials replaces the other. */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
@@ -10248,8 +10294,8 @@ VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, 
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares the ripple for an alpha >= 0, without the polynomials. Without them only C can be computed, of the five
-   functions at the top of this file. `constants` is the function that computes Pi_alpha. */
+/* Prepares the ripple for an alpha >= 0, without the polynomials. Without the polynomials, only the first of the five
+   functions at the top of this file, C, can be computed. `constants` is the function that computes Pi_alpha. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
     vmi_ateb c;
@@ -10264,8 +10310,8 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
     r->has_polynomials = 0;
 }
 
-/* Sets at_sa_0 and at_ca_0, the values of S2 at the zeros of sa and of ca. They follow from the condition that both
-   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
+/* Sets at_sa_0 and at_ca_0, the values of S2 at the zeros of sa and of ca. These values follow from the condition that
+   both sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
 VM_API void vmi_ripple_join(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
@@ -10294,8 +10340,9 @@ VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
     r->has_polynomials = 1;
 }
 
-/* Writes those of the functions C, S, S2, S3 and Q that the law of the given order, 2 to 5, needs, at the phase psi. sa
-   and ca are the Ateb functions of psi. For orders above 2, vmi_ripple_complete must have been called before. */
+/* Writes the functions C, S, S2, S3 and Q at the phase psi. Functions that the law of the given order, 2 to 5, does not
+   need are not valid. sa and ca are the Ateb functions of psi. For orders above 2, vmi_ripple_complete must have been
+   called before. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
@@ -10327,8 +10374,8 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
    If mass and stiffness vary slowly, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
    where W is the rate of the phase at the amplitude A for constant mass and stiffness; p and G_0 are defined in
-   oscillators/reduction.h. Only the number G_0/W^2 disturbs the slow motion A'/A = -p, psi' = W. G_0/W^2 is of second
-   order in epsilon, the relative change of mass and stiffness within a radian of the phase.
+   oscillators/reduction.h. Only the number G_0/W^2 disturbs the slow motion A'/A = -p, psi' = W. This number is of
+   second order in epsilon, the relative change of mass and stiffness within a radian of the phase.
 
    A canonical transformation, which is a change of variables that keeps the form of Hamilton's equations, leads from A
    and psi to two mean values: a mean action, which is constant, and a mean phase, whose rate varies slowly. The mean
@@ -10337,17 +10384,17 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
    ..., which are of order epsilon^(k+2):
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
    Here a is the rate of oscillators/reduction.h. This file has the transformation in both directions, and the mean rate
-   of the phase. If the series is cut off after the order N, it gives the motion with an error of O(epsilon^N) up to
+   of the phase. If the series is cut off after the order N, the error of the motion is of the order epsilon^N, up to
    times of the order of 1/epsilon. The law is new; docs/law.md derives it.
 
    C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
        vmi_ripple r;
        vmi_ripple_values f;
-       vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
+       vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_ratio;
        vmi_ripple_init(&r, 1, vmi_ateb_constants); // a linear spring
        vmi_ripple_at(&r, 2, 0, 0, 1, &f);          // phase 0: sa = 0, ca = 1
-       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action divided by the action
+       ln_ratio = vmi_expansion_J(&r, 2, &f, E);   // ln(mean action/action)
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
@@ -10357,8 +10404,9 @@ enum { VMI_EXPANSION_E = 4 };
 
 /* -- From the motion to the mean motion -- */
 
-/* Returns ln(mean action/action) at the phase psi, as the sum of all terms whose weight, the power of epsilon in a
-   term, is at most `order`. f contains the functions C, S ... of oscillators/ripple.h at psi, and E the numbers E_k. */
+/* Returns ln(mean action/action) at the phase psi: the sum of all terms of the series with a weight of at most `order`.
+   The weight of a term is the power of epsilon in it. f contains the functions C, S ... of oscillators/ripple.h at psi,
+   and E the numbers E_k. */
 VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -10375,8 +10423,9 @@ VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_
     return sum;
 }
 
-/* Returns the mean phase minus the phase psi, as the sum of all terms whose weight, the power of epsilon in a term, is
-   at most order - 1. f contains the functions C, S ... of oscillators/ripple.h at psi, and E the numbers E_k. */
+/* Returns the mean phase minus the phase psi: the sum of all terms of the series with a weight of at most order - 1.
+   The weight of a term is the power of epsilon in it. f contains the functions C, S ... of oscillators/ripple.h at psi,
+   and E the numbers E_k. */
 VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -10393,9 +10442,10 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the phase psi minus the mean phase, as the sum of all terms whose weight, the power of epsilon in a term, is
-   at most order - 1. f contains the functions C, S ... of oscillators/ripple.h at the mean phase, and E the numbers
-   E_k. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of two terms with E_0. */
+/* Returns the phase psi minus the mean phase: the sum of all terms of the series with a weight of at most order - 1.
+   The weight of a term is the power of epsilon in it. f contains the functions C, S ... of oscillators/ripple.h at the
+   mean phase, and E the numbers E_k. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of
+   two terms with E_0. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
@@ -10403,10 +10453,10 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
     return order >= 5 ? sum + product : sum;
 }
 
-/* Returns ln(action/mean action), as the sum of all terms whose weight, the power of epsilon in a term, is at most
-   order - 1; `order` is from 3 to 5. f contains the functions C, S ... of oscillators/ripple.h at the mean phase, and E
-   the numbers E_k. The result is -vmi_expansion_J, evaluated at the mean phase, plus a product of two terms with
-   E_0. */
+/* Returns ln(action/mean action): the sum of all terms of the series with a weight of at most order - 1. The weight of
+   a term is the power of epsilon in it, and `order` is from 3 to 5. f contains the functions C, S ... of
+   oscillators/ripple.h at the mean phase, and E the numbers E_k. The result is -vmi_expansion_J, evaluated at the mean
+   phase, plus a product of two terms with E_0. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
@@ -10417,12 +10467,12 @@ VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ri
 
 /* -- The mean rate of the phase -- */
 
-/* The factor `first` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), where W is the rate of the phase
-   for the mean action without E_0. The laws of all orders from 2 to 5 need this factor. */
+/* The factor `first` in the mean rate of the phase, which is W (1 + first E_0 + second E_0^2). W is the rate of the
+   phase that belongs to the mean action for E_0 = 0. The laws of all orders from 2 to 5 need `first`. */
 VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) / 2 * r->mean2; }
 
-/* The factor `second` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), which the laws of orders 4 and 5
-   need. W is the rate of the phase for the mean action without E_0. */
+/* The factor `second` in the mean rate of the phase, which is W (1 + first E_0 + second E_0^2). W is the rate of the
+   phase that belongs to the mean action for E_0 = 0. The laws of the orders 4 and 5 need `second`. */
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
@@ -10467,9 +10517,9 @@ VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, c
 
 /* -- What the law of order five leaves out -- */
 
-/* The sizes of the terms of weight w, for w = 2 to 6. J[w] is the size of the terms in vmi_expansion_J, psi[w] of those
-   in vmi_expansion_psi; psi[6] contains only the term with E_4. The terms of weight w are of order epsilon^w, where
-   epsilon is the relative change of mass and stiffness within a radian of the phase. */
+/* The sizes of the terms of weight w, for w = 2 to 6. J[w] is the size of the terms in vmi_expansion_J, and psi[w] the
+   size of the terms in vmi_expansion_psi. psi[6] contains only the term with E_4. The terms of weight w are of order
+   epsilon^w, where epsilon is the relative change of mass and stiffness within a radian of the phase. */
 typedef struct VM_TAG(vmi_expansion_sizes) {
     vm_real J[7], psi[7];
 } vmi_expansion_sizes;
@@ -10492,9 +10542,10 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     size->psi[5] += square * e[0] * e[1] * d * d;
 }
 
-/* An upper bound of the terms of order epsilon^6 in the mean rate of the phase, divided by W. They are the largest
-   terms of this rate that the law of order five leaves out. product is |E_0 E_2| and cube is |E_0|^3. If product and
-   cube are instead the integrals of these numbers over the phase, the result is a bound of the error of the phase. */
+/* An upper bound of the terms of order epsilon^6 in the mean rate of the phase, divided by W. These terms are the
+   largest ones that the law of order five leaves out of this rate. The argument product is |E_0 E_2|, and cube is
+   |E_0|^3. If product and cube are instead the integrals of these numbers over the phase, the result is a bound of the
+   error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -10507,8 +10558,8 @@ typedef struct VM_TAG(vmi_left_out) {
 } vmi_left_out;
 
 /* The sizes of the terms that the law of this order leaves out when it computes the motion at t from the mean motion,
-   where e[k] = |E_k|. The largest of these terms may be 0 at t; therefore the terms that are smaller by a factor
-   epsilon are added. */
+   where e[k] = |E_k|. The largest of these terms may be 0 at t. Therefore the sizes also contain the next terms, which
+   are smaller by a factor epsilon. */
 VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;
@@ -10548,14 +10599,15 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
 #endif
 /* oscillators/closed.h - the laws of orders two to five as plain numbers, if all integrals have closed forms
 
-   A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. It needs no
-   integrator, no table of a law and no pointer, so it may be a constant in the flash of a microcontroller
+   A vm_osc_closed predicts the motion of m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 at any time t. Here m is
+   the mass, k the stiffness, b the damping, and `reactive` the share of the reactive force. The prediction needs no
+   integrator, no table of a law and no pointer, so a vm_osc_closed may be a constant in the flash of a microcontroller
    (examples/print_plan.c prints it). Mass and stiffness must be
      m = m0 exp(rate_m u),   k = k0 exp(rate_k u),   u = ln(1 + base t)/base, or u = t for base = 0,
-   with a common base: they may be constant, linear, exponential or powers of the same 1 + base t. With damping the mass
-   must be constant or linear. The user chooses the order, from 2 to 5: a lower order is less accurate (docs/law.md),
-   but needs less code. A program that calls vm_osc_closed_at_order2 or vm_osc_closed_at_order3 does not contain the
-   code that only higher orders need.
+   with a common base. So each of them may be constant, linear, exponential, or a power of 1 + base t. With damping,
+   either the mass must be linear, or the mass must be constant and the stiffness constant or exponential. The user
+   chooses the order, from 2 to 5: a lower order is less accurate (docs/law.md), but needs less code. A program that
+   calls vm_osc_closed_at_order2 or vm_osc_closed_at_order3 does not contain the code that only higher orders need.
        vm_osc_problem sieve = {3,            vm_law_linear(120, -20), vm_law_linear(VM_C(4e8), 0), 0, 0,
                                VM_C(0.005), 0,                       NULL,                        NULL};
        vm_osc_closed motion;
@@ -10566,9 +10618,9 @@ VM_API vm_real vmi_expansion_error(const vmi_ripple *r, vmi_left_out now, vmi_le
    Method: let p and a be the rates of oscillators/reduction.h at t = 0. Then
      G_0 = p (p - a + base),   delta = p + (p - a + base),   el = 1 + base t,   p(t) = p/el,   A = A(0) exp(-p u),
      W = W(0) exp(delta u)/el,   E_k = (k+1)! E_0(0) (-delta/W(0))^k exp(-(k+2) delta u),
-   where A is the mean amplitude and W the rate of the mean phase without the terms of E_0. The numbers G_0 and E_k are
-   those of oscillators/expansion.h. Integrals of W, W E_0 and W E_0^2 over t are differences of exponentials. Sources:
-   docs/law.md. Tests: tests/test_closed_law.c. */
+   where A is the mean amplitude, and W is the rate of the mean phase without the terms that E_0 adds to it. The numbers
+   G_0 and E_k are those of oscillators/expansion.h. Integrals of W, W E_0 and W E_0^2 over t are differences of
+   exponentials. Sources: docs/law.md. Tests: tests/test_closed_law.c. */
 #ifndef VARMASS_OSCILLATORS_CLOSED_H
 #define VARMASS_OSCILLATORS_CLOSED_H
 
@@ -10602,9 +10654,9 @@ typedef struct VM_TAG(vmi_osc_closed_rates) {
     vm_real p, rest, delta;
 } vmi_osc_closed_rates;
 
-/* Returns the rates p, rest and delta at t = 0, where m0 is the mass, kg. A difference of rates that is 0 in exact
-   arithmetic is computed without rounding errors, as exactly 0. An example is base - a for a linear mass with the full
-   reactive force. */
+/* Returns the rates p, rest and delta at t = 0, where m0 is the mass, kg. If a difference of rates is 0 in exact
+   arithmetic, it is also computed as exactly 0, without rounding errors. An example is the difference base - a for a
+   linear mass with the full reactive force. */
 VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, const vmi_osc_rates_of_u *u, vm_real m0)
 {
     const vm_real decay = o->damping / m0;
@@ -10616,7 +10668,7 @@ VM_API vmi_osc_closed_rates vmi_osc_closed_rates_of(const vm_osc_problem *o, con
 }
 
 /* Writes the numbers E_0 ... E_(n-1) of oscillators/expansion.h, n <= VMI_OSC_G. For t = 0 the argument W is the rate
-   of the mean phase; for another t it is this rate at t = 0 times exp(delta u). */
+   of the mean phase. For another t the argument W is the rate at t = 0 times exp(delta u). */
 VM_API void vmi_osc_closed_disturbance(const vmi_osc_closed_rates *r, vm_real W, int n, vm_real *E)
 {
     const vm_real step = r->delta / W;
@@ -10663,8 +10715,8 @@ VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduc
     c->second = vmi_expansion_second(r) * start->W * E * E;
 }
 
-/* Returns e^x and writes (e^x - 1)/x to *ratio, which is 1 for x = 0, both within 2 ulp. With e^x = 2^k (1 + p), where
-   |p| < 0.42, e^x - 1 is 2^k p + (2^k - 1). */
+/* Returns e^x, and writes (e^x - 1)/x to *ratio; for x = 0 this quotient is 1. Both results are within 2 ulp. Method:
+   e^x is 2^k (1 + p) with an integer k and |p| < 0.42, so that e^x - 1 is 2^k p + (2^k - 1). */
 VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 {
     const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for a larger |x|, e^x is infinite or 0 */
@@ -10711,8 +10763,8 @@ VM_API void vmi_osc_closed_disturbance_at(const vmi_osc_closed_mean *c, const vm
    (vmi_expansion_third_rate) */
 VM_API vm_real vmi_osc_closed_third(const vmi_osc_closed_mean *c, const vmi_osc_closed_now *now, const vmi_ripple *r)
 {
-    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 is sum/5 times that
-                                                                                of q */
+    const vm_real q = now->decay, sum = 1 + q * (1 + q * (1 + q * (1 + q))); /* the integral of q^5 over u is sum/5
+                                                                                times the integral of q */
     vm_real E[3], e;
     vmi_osc_closed_disturbance(&c->rates, c->start.W, 3, E);
     e = VM_FABS(E[0]);
@@ -10743,9 +10795,9 @@ typedef struct VM_TAG(vmi_osc_closed_start) {
     vm_real E[VMI_OSC_G];  /* the numbers E_k of this state */
 } vmi_osc_closed_start;
 
-/* Returns 1 if the terms of the law of order five are small at the start, else 0. They count as small if
-   (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2 with d = (alpha + 1 + pi)/(2 pi), which is more than Pi_alpha/(2 pi).
-   Then no number overflows. */
+/* Returns 1 if the terms of the law of order five are small at the start, else 0. The terms count as small if
+   (alpha+1)(alpha+3)/4 (|E_0| + d^3 |E_3|) < 1/2, where d = (alpha + 1 + pi)/(2 pi) is an upper bound of Pi_alpha/(2
+   pi). If they are small, no number overflows. */
 VM_API int vmi_osc_closed_is_slow(const vm_real *E, vm_real alpha)
 {
     const vm_real d = (alpha + 1 + VM_PI) / (2 * VM_PI), L = (alpha + 1) * (alpha + 3) / 4;
@@ -10808,8 +10860,8 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
 }
 
 /* Prepares the computation of the problem's motion by the law of the given order, 2 to 5; a higher order is more
-   accurate. c->error is valid for times between 0 and t_end, s, which may have either sign. Afterwards *c does not need
-   the problem any more. After an error *c is unchanged. The errors are
+   accurate. c->error is valid for times between 0 and t_end. The time t_end, s, may have either sign. Afterwards *c
+   does not need the problem any more. After an error *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end,
@@ -10910,7 +10962,7 @@ VM_API int vm_osc_closed_at_order3(const vm_osc_closed *c, vm_real t, vm_real *x
 
 /* A plan: numbers that vm_osc_plan_init computes once for a problem. Read the fields of the plan, but do not change
    them. The plan contains pointers to the tables of the problem, to the user's functions and to their ctx; therefore a
-   copy of it is of no use in another program. */
+   copy of the plan is of no use in another program. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
@@ -10919,8 +10971,8 @@ typedef struct VM_TAG(vm_osc_plan) {
     vmi_osc_slow slow;       /* mass, stiffness and the numbers G_k (see vmi_osc_slow) just after t = 0 */
     vm_real E[VMI_OSC_G];    /* the numbers E_k at t = 0 (see vmi_osc_disturbance) */
     vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
-    int start_order;         /* order of the law of order five by which `mean` was found: 5, or 2 if `ripple` has no
-                                polynomials; 0 where x and v are 0, so that there is no mean motion */
+    int start_order;         /* order after which the law of order five was cut off to find `mean`: 5, or 2 if `ripple`
+                                has no polynomials; 0 where x and v are 0, so that there is no mean motion */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
     vmi_osc_rates_of_u laws; /* where `closed` is 1, the rates in the exponents of the laws (oscillators/closed.h) */
     vmi_osc_closed_mean closed_mean; /* where `closed` is 1, the mean motion at t = 0 and its rates */
@@ -10939,7 +10991,7 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 }
 
 /* Returns the time, s, in which the phase grows by 16. The second and higher derivatives of a law by a user's function
-   are found from its first derivatives within such a time. */
+   are found from its first derivatives within this time. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
 {
     if (!(p->Om > 0)) return 0;
@@ -10993,9 +11045,9 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* Fills the plan except for three parts. vmi_osc_start adds the first, the mean motion. The other two are the plan of
-   the Ateb functions and the polynomials of the ripple; computing them saves time only for many values. for_many is 1
-   if the caller adds these two. */
+/* Fills the plan except for three parts. The first part, the mean motion, is added by vmi_osc_start. The second and the
+   third part are the plan of the Ateb functions and the polynomials of the ripple, which save time only for many
+   values. for_many is 1 if the caller adds the second and the third part. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;
@@ -11039,7 +11091,7 @@ VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
    a series of 20 Legendre polynomials represents the law on it. A panel that is too long for such a series is halved.
-   After each panel, the next one is first tried with twice its length. Panels end at the points of a table.
+   After each panel, the code first tries a next panel of twice the length. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -11066,7 +11118,7 @@ typedef struct VM_TAG(vmi_panels) {
 } vmi_panels;
 
 /* Returns the panels from start to end, each at most `longest` long. `whole` is the length of the whole interval of
-   integration, s, of which start ... end may be a part. */
+   integration, s; the interval from start to end may be a part of it. */
 VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, vm_real whole)
 {
     vmi_panels p;
@@ -11083,7 +11135,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
 }
 
 /* Returns 0 if the end is reached. Otherwise it returns 1 and sets p->step, the length of the panel that starts at
-   p->t. If the time that is left is hardly longer than a panel, all of this time becomes one panel. */
+   p->t. If the time that is left is at most 1.0001 times the intended length of a panel, all of this time becomes one
+   panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -11104,7 +11157,8 @@ VM_API int vmi_panels_halve(vmi_panels *p)
     return 1;
 }
 
-/* Goes on to the next panel. Its intended length becomes twice that of the present panel. */
+/* Goes on to the next panel. Its intended length becomes twice the length of the present panel, but at most
+   p->longest. */
 VM_API void vmi_panels_advance(vmi_panels *p)
 {
     if (p->step == p->left) p->t = p->end;
@@ -11115,9 +11169,9 @@ VM_API void vmi_panels_advance(vmi_panels *p)
 /* -- Whether a series is good enough -- */
 
 /* Returns the limit below which the last terms of a Legendre series, divided by the mean of the function, do not
-   matter. Gauss' rule integrates twice as many terms as the series has exactly, so that the error of the integral is
-   about the square of the last terms. The limit is larger for a panel that is only a small part of the whole
-   integral. */
+   matter. Gauss' rule is exact for polynomials with twice as many terms as the series, so that the error of the
+   integral is about the square of the last terms. The limit is larger for a panel that is only a small part of the
+   whole integral. */
 VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
@@ -11131,11 +11185,11 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
     return vmi_legendre_tail(series) <= limit * series[0];
 }
 
-/* Returns the size of those terms of the number E_0 = G_0/W^2 that do not matter on a panel over which the phase grows
-   by `phase`, of either sign. E_0 measures how strongly slow changes disturb the motion; W is the rate of the phase
-   (oscillators/expansion.h). The result has two parts. Terms as large as the first part change the phase by 16 eps. The
-   second part is the size of the rounding errors of E_0, which contains the derivative p', found from differences of
-   the rate p on the panel. */
+/* Returns a limit for terms of the number E_0 = G_0/W^2 on a panel over which the phase grows by `phase`, of either
+   sign: terms below this limit do not matter. E_0 measures how strongly slow changes disturb the motion; W is the rate
+   of the phase (oscillators/expansion.h). The limit has two parts. Terms as large as the first part change the phase by
+   16 eps. The second part is the size of the rounding errors of E_0. These errors come from the derivative p' in E_0,
+   which the code finds from differences of the rate p on the panel. */
 VM_API vm_real vmi_panel_E_noise(vm_real phase)
 {
     const vm_real advance = VM_FABS(phase);
@@ -11157,7 +11211,7 @@ VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, v
 
 /* Raises *edge to the relative difference between a law f and its series at the start or the end of the panel,
    whichever is larger, if this difference is larger than *edge. If `reciprocal` is 1, the series is one of 1/f. Only
-   this test notices a kink of the law between an end and the nearest point of Gauss' rule. */
+   this test notices a kink of the law between an end of the panel and the nearest point of Gauss' rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
@@ -11215,7 +11269,7 @@ VM_API int vmi_law_add_inverse_integral(const vm_law *law, vm_real start, vm_rea
     return VM_OK;
 }
 
-/* Writes the integral of dt/f from 0 to t. It is a sum over panels, from one point of a table to the next. */
+/* Writes the integral of dt/f from 0 to t. The integral is a sum over panels, from one point of a table to the next. */
 VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real at = 0;
@@ -11253,7 +11307,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 /* -- The integral of any function of time -- */
 
 /* A function of time that is integrated, the integrand. It writes its value at t to *value, and returns VM_OK or the
-   status with which it fails. Where the value jumps at t, side = 1 asks for the value after t, side = -1 for the value
+   status with which it fails. Where the value jumps at t, side = 1 means the value after t, and side = -1 the value
    before t. */
 typedef int (*vmi_integrand)(vm_real t, int side, vm_real *value, void *ctx);
 
@@ -11319,7 +11373,8 @@ VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
     return status;
 }
 
-/* Writes the integral of f/g dt from 0 to t. It is a sum over panels, from one point of a table to the next. */
+/* Writes the integral of f/g dt from 0 to t. The integral is a sum over panels, from one point of a table to the
+   next. */
 VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     const vm_real whole = VM_FABS(t);
@@ -11383,18 +11438,18 @@ VM_API int vm_law_ratio_integral(const vm_law *f, const vm_law *g, vm_real t, vm
 
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels, which are short intervals of time (oscillators/panels.h), from one point of a table to
-   the next. At such a point the second derivatives of the laws jump, so that the mean motion jumps, too. This
-   integration, called the walk, also measures how large E_0 = G_0/W^2 and its derivatives are; the estimates of the
-   error need these numbers. E_0 measures how strongly the damping and the changes of mass and stiffness disturb the
-   motion (oscillators/expansion.h).
+   the next. At such a point the second derivatives of the laws jump. E_0 = G_0/W^2 contains these derivatives;
+   therefore the mean motion jumps, too. This integration, called the walk, also measures how large E_0 and its
+   derivatives are; the estimates of the error need these numbers. E_0 measures how strongly the damping and the changes
+   of mass and stiffness disturb the motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_WALK_H
 #define VARMASS_OSCILLATORS_WALK_H
 
-/* The number of elements of the field `change`. They measure how large E_0 and its first six derivatives with respect
-   to the phase are; E_0 is explained at the top of this file. */
+/* The number of elements of the field `change`. The elements measure how large E_0 and its first six derivatives with
+   respect to the phase are; the top of this file explains E_0. */
 enum { VMI_WALK_ORDERS = 7 };
 
 /* The mean motion at one time t, and the numbers on which its errors depend. According to the adiabatic law, by which
@@ -11678,10 +11733,11 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* Continues the mean motion beyond the time t of a table point. The second derivatives of mass and stiffness jump
-   there. The motion itself does not jump; therefore the mean motion jumps. The function computes the motion at t from
-   the mean motion before t, and from the motion at t the mean motion after t. The action at t is found by iteration
-   with vmi_expansion_J, whose terms go up to the full order; those of vmi_expansion_J_back end one order earlier. */
+/* Continues the mean motion beyond the time t of a table point. At this time the motion itself does not jump, but the
+   second derivatives of mass and stiffness do. The step from the motion to the mean motion contains these derivatives;
+   therefore the mean motion jumps. The function computes the motion at t from the mean motion before t, and from the
+   motion at t the mean motion after t. The action at t is found by iteration with vmi_expansion_J, because the terms of
+   vmi_expansion_J go up to the full order, while the terms of vmi_expansion_J_back end one order earlier. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11762,13 +11818,15 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 #endif
 /* oscillators/mean_motion.h - the motion by first-order averaging and by the laws of order 2 to 5, with error estimates
 
-   The mean motion is the amplitude A and the phase without their small changes within a period. If no force F acts and
-   mass m and stiffness k change slowly, integrals give it: A is proportional to (k m^(2r-1))^(-1/(alpha+3))
-   exp(-2 d/(alpha+3)), where r is the field `reactive` and d the integral of damping/mass (the adiabatic law (325),
-   (344), (367), (389)); the phase is the integral of its rate (310), (329), (370). vmi_osc_first_order puts this A and
-   this phase into x = A cos, A cn or A ca. vmi_osc_order_n first adds the changes within a period, by the series of
-   oscillators/expansion.h, which is cut off after an order N from 2 to 5. Its error is of the order epsilon^N, where
-   epsilon is the relative change of mass and stiffness while the phase grows by 1.
+   The mean motion is the amplitude A and the phase without their small changes within a period. Numbers in brackets are
+   equations of the dissertation. If no force F acts, and mass m and stiffness k change slowly, integrals give the mean
+   motion. By the adiabatic law (325), (344), (367), (389) the amplitude is
+     A = constant (k m^(2r-1))^(-1/(alpha+3)) exp(-2 d/(alpha+3)),
+   where r is the field `reactive` and d the integral of damping/mass over time. The phase is the integral of its rate
+   over time (310), (329), (370). vmi_osc_first_order puts this A and this phase into x = A cos, A cn or A ca.
+   vmi_osc_order_n first adds the changes within a period, by the series of oscillators/expansion.h, which is cut off
+   after an order N from 2 to 5. The error of vmi_osc_order_n is of the order epsilon^N, where epsilon is the relative
+   change of mass and stiffness while the phase grows by 1.
        vmi_osc_mean mean;
        vm_osc_motion motion;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
@@ -11825,8 +11883,8 @@ VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *me
    laws of mass and stiffness (oscillators/walk.h). */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less, the laws change only by rounding
-                                                   errors */
+    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, the laws change only by
+                                                   rounding errors */
     int status = VM_OK;
     if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
@@ -11847,10 +11905,11 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 
 /* Fast changes of mass and stiffness change the action J. This function returns a bound of the change of ln J. E_0
    measures how strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the
-   integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn this integral
-   into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
-   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest bound. It
-   belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a period. */
+   integral over the phase of E_0 times a periodic function whose mean is 0. This integral is integrated by parts i
+   times. The result has terms at both ends, which the solutions already contain, and the integral of the ith derivative
+   of E_0 times the ith integral of the periodic function. This last integral has a bound for each i, and the function
+   returns the smallest of these bounds. A large i gives the smallest bound where the laws change slowly, and i = 0
+   gives it where the laws change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11868,7 +11927,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* The error that fast changes of mass and stiffness between 0 and t cause in every averaged solution. An error of ln J,
-   where J is the action, makes an error of the phase that is larger by the factor gamma Om t. gamma is a field of
+   where J is the action, causes an error of the phase that is larger by the factor gamma Om t. gamma is a field of
    vmi_ripple, and Om is the rate of the phase. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
@@ -11878,10 +11937,11 @@ VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 /* Estimates the error of vmi_osc_first_order, except for the error of cos or cn in place of ca. vmi_osc_first_order
    uses the amplitude and the phase at t = 0 as if they were the mean amplitude and the mean phase. It leaves out the
    ripple within a period, and the part of the mean phase that is proportional to the number E_0
-   (oscillators/expansion.h). An error of ln J, where J is the action, makes an error of the phase that is larger by the
-   factor gamma Om t, with the field gamma of vmi_ripple. The phase that follows from x and x' is larger by (alpha+1)/2
-   p/Om ca^2 than the phase that follows from x and V = x' + p x, where p is the rate of oscillators/reduction.h and Om
-   the rate of the phase. The mean of this difference over a period is the same at t = 0 and at t. */
+   (oscillators/expansion.h). An error of ln J, where J is the action, causes an error of the phase that is larger by
+   the factor gamma Om t, where gamma is a field of vmi_ripple. The phase that follows from x and x' is larger by
+   (alpha+1)/2 p/Om ca^2 than the phase that follows from x and V = x' + p x, where p is the rate of
+   oscillators/reduction.h and Om the rate of the phase. The mean of this difference over a period is the same at t = 0
+   and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11897,9 +11957,9 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
 }
 
 /* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. The estimate is the sum of the sizes of the first
-   terms that two computations leave out. One is the transformation at t, whose order is `order`. The other is the mean
-   motion, whose order is p->start_order; it leaves out terms at t = 0, at points of tables, and in the mean rate of the
-   phase. */
+   terms that two computations leave out. The first computation is the transformation from the mean motion to the motion
+   at t, of the order `order`. The second computation is the mean motion, of the order p->start_order: it leaves out
+   terms at t = 0, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -11984,8 +12044,8 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 /* oscillators/averaging.h - averaged equations of an oscillator with a force, and the error of averaging
 
    With a force F(t, x, x') the amplitude A and the phase obey averaged equations, whose right-hand sides are means
-   over a period. vm_osc_averaged computes these right-hand sides for each of the three waves of oscillators/waves.h:
-   (314), (315) for ca, (337)-(339) for cos, (380)-(382) for cn.
+   over a period. vm_osc_averaged computes these right-hand sides for each of the three waves of oscillators/waves.h.
+   The equations are (314), (315) of the dissertation for ca, (337)-(339) for cos, and (380)-(382) for cn.
        vm_osc_plan plan;
        vm_real A_rate, theta_rate, psi_rate;
        int status = vm_osc_plan_init(&plan, &problem); // problem is a vm_osc_problem; t = 10 s, A = 0.1 m
@@ -11999,12 +12059,12 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 
 /* -- Averaged equations with a force -- */
 
-/* Writes the means of F s and F c over a period to *Fs and *Fc. c and s are the wave w for the position and for the
-   velocity, and F is the force during the motion x = A c, x' = -V s, with the amplitude A and the largest velocity V.
-   Gauss' rule integrates over each quarter of the period in two parts, with 20 points in each. The first part is from
-   psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there. The second part is from cut to the
-   zero of x. There the rule uses the square root of the distance of psi from this zero as its variable, since F may
-   contain fractional powers of this distance. */
+/* Writes the means of F s and F c over a period to *Fs and *Fc. The wave w gives the function c for the position and
+   the function s for the velocity. F is the force during the motion x = A c, x' = -V s, where A is the amplitude and V
+   the largest velocity. Gauss' rule integrates over each quarter of the period in two parts, with 20 points in each.
+   The first part is from psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there. The second part
+   is from cut to the zero of x. There the rule uses the square root of the distance of psi from this zero as its
+   variable, since F may contain fractional powers of this distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -12042,25 +12102,26 @@ VM_API void vmi_osc_averaged_rates(const vm_osc_plan *p, const vmi_osc_wave *w, 
     *theta_rate = -w->gain_theta * Fc / (now->m * V);
 }
 
-/* The rate of the Ateb phase divided by its value at t = 0. The argument a is ln(A/A0), with the present amplitude A
-   and the amplitude A0 at t = 0; `now` contains the present mass and stiffness. */
+/* The rate of the Ateb phase divided by its value at t = 0. The argument a is ln(A/A0), where A is the present
+   amplitude and A0 the amplitude at t = 0. `now` contains the present mass and stiffness. */
 VM_API vm_real vmi_osc_Om_ratio(const vm_osc_plan *p, const vmi_osc_rates *now, vm_real a)
 {
     return VM_SQRT((now->k / p->k0) / (now->m / p->m0)) * vmi_exp((p->problem.alpha - 1) / 2 * a, 0);
 }
 
-/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. They are in m/s and 1/s, at the
-   time t (s) and the amplitude A (m). psi is the angle of the route's wave, and theta the part of this angle that
-   changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase; the equations are the averages of (314), (315), to which the
-   function adds a term with omega' that the dissertation leaves out. For VM_ROUTE_TRIG psi is in radians; the equations
-   are (337)-(339), where alpha + 3 replaces 5 - alpha and, in (338) and (339), 4 replaces 2. For VM_ROUTE_JACOBI psi is
-   the argument of cn; the equations are (380)-(382), where theta' replaces A' in the second equation of (382). Gauss'
-   rule computes the means over each quarter of the period separately, so F may jump where x or x' is 0. For alpha up to
-   30, and F linear or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10 (float 2e-6).
-   Returns VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a number that is
-   infinite or NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at t that is not
-   positive; VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness fails. An
-   error leaves the results untouched. */
+/* Averaged rates A', theta', psi' of amplitude and phase, with the problem's force. A' is in m/s, theta' and psi' are
+   in 1/s, the time t is in s, and the amplitude A in m. psi is the angle of the route's wave, and theta the part of
+   this angle that changes slowly. For VM_ROUTE_ATEB psi is the Ateb phase. The equations are the averages of (314),
+   (315) of the dissertation, which leaves out a term with the rate omega' of omega = sqrt(k/m); this function adds the
+   term. For VM_ROUTE_TRIG psi is in radians. The equations are (337)-(339) with two corrections: alpha + 3 replaces 5 -
+   alpha, and in (338) and (339) 4 replaces 2. For VM_ROUTE_JACOBI psi is the argument of cn. The equations are
+   (380)-(382) with one correction: theta' replaces A' in the second equation of (382). Gauss' rule computes the mean
+   over each quarter of the period separately; therefore F may jump where x or x' is 0. For alpha up to 30, and F linear
+   or cubic in x and x' or dry friction, the relative error of the rates is at most 1e-10 (float 2e-6). Returns
+   VM_BAD_ARGUMENT for a null pointer or a route other than these three; VM_NOT_FINITE for a number that is infinite or
+   NaN; VM_BAD_MASS for a mass at t that is not positive; VM_BAD_STIFFNESS for a stiffness at t that is not positive;
+   VM_DOMAIN for A <= 0, for t outside a table, or where a user's function of mass or stiffness fails. An error leaves
+   the results untouched. */
 VM_API int vm_osc_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real A, vm_real *A_rate,
                            vm_real *theta_rate, vm_real *psi_rate)
 {
@@ -12107,9 +12168,9 @@ typedef struct VM_TAG(vmi_osc_averaging) {
     vm_real growth;             /* rate, 1/s, at which a small change of ln A grows */
 } vmi_osc_averaging;
 
-/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of a period. It is the period before t, or the
-   first period if less than a period has passed since time 0. If `frozen` is 1, the force is computed at the time t for
-   all phases, otherwise at the time of each phase. */
+/* Writes the exact rates of ln A and psi at VMI_AVERAGING_POINTS phases of a period. This period ends at t; if less
+   than a period has passed since time 0, the period begins at time 0. If `frozen` is 1, the force is computed at the
+   time t for all phases; otherwise it is computed at the time that belongs to each phase. */
 VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *rate_A, vm_real *rate_psi)
 {
     const vm_osc_plan *p = at->plan;
@@ -12160,12 +12221,12 @@ VM_API vm_real vmi_osc_largest(const vm_real *values)
     return largest;
 }
 
-/* Adds to the errors a->rate_A and a->rate_psi the difference between two mean rates: that with the wave w, and that
-   with the exact wave ca. Also finds the rate at which a small change of ln A grows. */
+/* Compares the mean rates with the wave w and the mean rates with the exact wave ca, and adds the differences to the
+   errors a->rate_A and a->rate_psi. Also finds a->growth, the rate at which a small change of ln A grows. */
 VM_API void vmi_osc_add_wave_rates(const vmi_osc_moment *at, const vmi_osc_wave *w, vmi_osc_averaging *a)
 {
     const vm_osc_plan *p = at->plan;
-    const vm_real change = VM_C(0.02); /* a change of ln A, to see by how much the mean rate changes */
+    const vm_real change = VM_C(0.02); /* by this change of ln A the function finds how the mean rate depends on ln A */
     const vm_real A = at->A * (1 + change), Om = at->Om * (1 + (w->alpha - 1) / 2 * change);
     const vmi_osc_wave exact = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
     vm_real own_A, own_psi, exact_A, exact_psi, more_A, more_psi;
@@ -12201,8 +12262,8 @@ VM_API void vmi_osc_find_ripples(const vmi_osc_moment *at, const vm_real *rate_A
 VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real t_end, vm_real A,
                                 vm_real psi, vmi_osc_averaging *a)
 {
-    const vm_real second_order = VM_C(0.25); /* error of a mean rate divided by (rate times ripple). The quotient is
-                                                0.156 for Duffing's equation */
+    const vm_real second_order = VM_C(0.25); /* the assumed error of a mean rate, divided by (rate times ripple). The
+                                                true quotient is 0.156 for Duffing's equation */
     vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], frozen_A, frozen_psi, rates, second;
     vmi_osc_moment at;
     int status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t_end), &at.now);
@@ -12231,11 +12292,11 @@ VM_API int vmi_osc_averaging_at(const vm_osc_plan *p, const vmi_osc_wave *w, vm_
 
 /* -- The error between 0 and t -- */
 
-/* The number of times at which errors are estimated. The interval from 0 to t is divided into 11 equal parts; these
-   times are the ends of the last 8 parts. oscillators/integration.h compares two integrations at the same times. */
+/* The number of times at which errors are estimated. The interval from 0 to t is divided into 11 equal parts; the times
+   are the ends of the last 8 parts. oscillators/integration.h compares two integrations at these times. */
 enum { VMI_OSC_CHECKS = 8 };
 
-/* Time number i, 0 to VMI_OSC_CHECKS - 1, at which motions are compared on the way to t; the last one is t. */
+/* Returns time number i, 0 to VMI_OSC_CHECKS - 1, of the times at which motions are compared. The last time is t. */
 VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 {
     if (i == VMI_OSC_CHECKS - 1) return t;
@@ -12243,8 +12304,8 @@ VM_API vm_real vmi_osc_check_time(vm_real t, int i)
 }
 
 /* Estimates the error at t of the averaged equations with a force, from the motions at the times of vmi_osc_check_time.
-   Errors arise from the ripple at the start, which the averaged equations treat as a part of the mean motion, and from
-   errors of the mean rates. These errors grow as fast as small changes of the motion grow, and an error of the
+   There are two causes of errors: the averaged equations treat the ripple at the start as a part of the mean motion,
+   and the mean rates have errors. The errors grow as fast as small changes of the motion grow, and an error of the
    amplitude causes an error of the phase. At the end the function adds the ripple at t, the error of the wave if it is
    not ca, and the effect of fast changes of mass and stiffness. */
 VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t,
@@ -12273,7 +12334,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
         time = next;
     }
     *error = error_A + error_psi + after.ripple + vmi_osc_wave_error(w, p->ripple.mean2) + vmi_osc_way_error(p, &mean);
-    if (!(*error >= 0)) *error = VM_INFINITY; /* the amplitude is 0 or an overflow left NaN */
+    if (!(*error >= 0)) *error = VM_INFINITY; /* the amplitude is 0, or a number has overflowed */
     return VM_OK;
 }
 
@@ -12281,10 +12342,10 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 /* oscillators/integration.h - integration of an oscillator to a tolerance, with an estimate of its error
 
    The oscillator is described by either of two systems of two equations: the averaged equations of amplitude and phase,
-   or the equation of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the
-   numbers that are chosen for this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a
-   method twice, the second time with a stricter tolerance, and estimates the error from the difference of the two runs.
-   It repeats both runs with stricter tolerances until the estimated error is within the tolerance of the motion.
+   or the equation of motion. A vmi_osc_method contains one of these systems, a Runge-Kutta pair (rk45 or rk87), and
+   numbers that are chosen for this pair. oscillators/routes.h chooses the methods. vmi_osc_integrate makes two runs of
+   a method, a loose run and a strict run with a stricter tolerance, and estimates the error from their difference. It
+   repeats both runs with stricter tolerances until the estimated error is at most the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
@@ -12296,7 +12357,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
-    vm_real least;     /* smallest useful tolerance of a step; rounding errors within a step may be as large */
+    vm_real least;     /* smallest useful tolerance of a step; rounding errors within a step may be as large as this */
     vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
     vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
     vm_real by_chance; /* the estimated error is at least this number times the tolerance of the steps */
@@ -12318,7 +12379,7 @@ typedef struct VM_TAG(vmi_osc_method) {
    error is between 1/4 and 3/4 of the tolerance; these limits differ by a factor of 3. The field `ratio` is larger than
    this factor, so that the steps of the two runs have different lengths. The field `factor` allows for errors that are
    not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree well
-   by chance; the field by_chance allows for this. */
+   by chance. Because of this the estimated error is at least by_chance times the tolerance of the steps. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -12364,7 +12425,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int side;         /* 1 forward, -1 backward in time */
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
-    vm_real share;    /* longest step, divided by the interval up to the next stop */
+    vm_real share;    /* longest step divided by the interval up to the next stop */
     vm_real law_step; /* longest step, s, of the first loose run: so short that no change of a mass or stiffness that a
                          user's function gives is missed */
     long evals;       /* number of evaluations of right-hand sides by all runs so far */
@@ -12452,9 +12513,9 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 }
 
 /* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
-   fixed part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods. Then no step is
-   longer than a fixed part of this short time, because the Runge-Kutta pair would not notice the error of a step that
-   contains the whole reversal. */
+   fixed part of the period. If Pi_alpha is more than 10, the velocity reverses within the short time of 10/Pi_alpha
+   periods. Then no step is longer than a fixed part of this time, because the Runge-Kutta pair would not notice the
+   error of a step that contains the whole reversal. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* per period; with it the largest number of steps of a run is computed */
@@ -12550,9 +12611,9 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
 
 /* -- Two runs -- */
 
-/* The largest difference of two runs: of x relative to the amplitude, and of v relative to the largest velocity. It is
-   the largest at all times of vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity
-   where the difference is unknown. */
+/* The largest difference of two runs: of x relative to the amplitude, and of v relative to the largest velocity. The
+   function compares the runs at all times of vmi_osc_check_time, since at a single time two runs may agree by chance.
+   Returns infinity where the difference is unknown. */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
     vm_real largest = 0;
@@ -12570,9 +12631,9 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
-   gives: a quarter of the shortest panel, that is interval of time, that vmi_osc_walk_to needed for this mass and
-   stiffness. If the mass or the stiffness jumped, this step would be 0; therefore it is at least |t|/8192, or the field
-   change_time of the law if that is shorter. */
+   gives. vmi_osc_walk_to divides the time into panels, which are short where mass or stiffness changes fast; the step
+   is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is at
+   least |t|/8192. If the field change_time of a law is set and shorter than this step, the step is change_time. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -12637,9 +12698,9 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
     return step_tolerance * VM_C(2e-5);
 }
 
-/* Makes pairs of runs until the error is within the tolerance. The motions of the last strict run are written to
-   strict[]; the last of them contains the error. The longest step is halved after each pair whose error is more than
-   half of the error of the pair before it, because then the error may come from steps that are too long. It may also
+/* Makes pairs of runs until the error is at most the tolerance. The motions of the last strict run are written to
+   strict[]; the last of these motions contains the error. If the error of a pair is more than half of the error of the
+   pair before it, the error may come from steps that are too long, and the longest step is halved. The error may also
    come from rounding errors or chance; therefore the function ends after three such pairs. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
@@ -12671,8 +12732,8 @@ VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_m
 }
 
 /* Computes the motion at t by a method of integration. Returns VM_TOLERANCE_MISSED where the error of the integration
-   is larger than the tolerance. For averaged equations the error of averaging is added to motion->error, but it does
-   not change the status. */
+   is larger than the tolerance. For averaged equations the function also adds the error of averaging to motion->error;
+   this error does not change the status. */
 VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_method *method, vm_real t,
                              vm_real tolerance, vm_osc_motion *motion)
 {
@@ -12705,9 +12766,10 @@ VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_m
 /* oscillators/gauss_rule.h - Gauss' rule of n points on [0, 1], and polynomials through values at these points
 
    The points are called nodes. The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to the
-   rule. One turns the values of a polynomial of degree n - 1 at the nodes into its integrals from 0 to each node, the
-   other turns them into its derivatives at the nodes. The method of collocation (oscillators/collocation.h) solves
-   differential equations with these matrices.
+   rule. Both are for polynomials of degree n - 1. The first matrix turns the values of a polynomial at the nodes into
+   the integrals of the polynomial from 0 to each node. The second matrix turns the same values into the derivatives of
+   the polynomial at the nodes. The method of collocation (oscillators/collocation.h) solves differential equations with
+   these matrices.
        vmi_gauss_rule rule;
        vmi_gauss_rule_init(&rule, 8);
    Tests: tests/test_collocation.c. */
@@ -12761,9 +12823,9 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds the part of Legendre's polynomial P_k to both matrices of the rule. `values` is P_k at the nodes, `integrals`
-   are its integrals from 0 to the nodes, and `derivatives` its derivatives at the nodes, all with respect to the
-   variable that goes from 0 to 1. */
+/* Adds the part of Legendre's polynomial P_k to both matrices of the rule. `values` contains P_k at the nodes,
+   `integrals` the integrals of P_k from 0 to the nodes, and `derivatives` the derivatives of P_k at the nodes.
+   Integrals and derivatives are taken with respect to the variable that goes from 0 to 1. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -12819,9 +12881,9 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
 /* The point z = x^2 (3 - 2x) of a graded rule, which replaces the point x of the rule */
 VM_API vm_real vmi_graded(vm_real x) { return x * x * (3 - 2 * x); }
 
-/* Changes the rule for functions of z on [0, 1] that have singularities at the ends, such as fractional powers. The
-   polynomials of the rule become polynomials in x, where z = x^2 (3 - 2x). In x such a power is twice as high, so the
-   error falls faster with n. */
+/* Changes the rule so that it suits functions of z on [0, 1] that have singularities at the ends, such as fractional
+   powers. The polynomials of the rule become polynomials in x, where z = x^2 (3 - 2x). As a function of x such a power
+   is twice as high, so that the error falls faster when n grows. */
 VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
 {
     const int n = rule->n;
@@ -12843,23 +12905,22 @@ VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
    with
      E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
-   sa and ca are the Ateb sine and cosine of psi, m is the mass and alpha the exponent of the spring. p is the slow rate
-   at which A decreases, a = (reactive m' + b)/m with the damping b, and W is the rate of psi for constant mass and
-   stiffness. The equations are solved with psi as the independent
-   variable: each step integrates ln A and t from one zero of x to the next. For most alpha the force of the spring is
-   not smooth at x = 0. But the steps end at x = 0, so this point never lies inside a step, where it would cause the
-   largest errors.
+   sa and ca are the Ateb sine and cosine of psi, m is the mass, alpha the exponent of the spring, and V the largest
+   velocity. p is the slow rate at which ln A decreases, a is (reactive m' + b)/m with the damping b, and W is the rate
+   of psi for constant mass and stiffness. The equations are solved with psi as the independent variable: each step
+   integrates ln A and t from one zero of x to the next. For most alpha the force of the spring is not smooth at x = 0.
+   But the steps end at x = 0, so this point never lies inside a step, where it would cause the largest errors.
 
    A step uses Gauss' collocation: polynomials approximate the rates, and satisfy the equations exactly at n points of
    the step, the nodes. These conditions are solved by iteration in several rounds. The first round starts from values
    that are extrapolated from the earlier steps.
 
-   Without a force the rates of ln A and t consist of slow functions and of a swing, a part that varies like ca^2 and sa
-   ca and is proportional to E. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
+   Without a force the rates of ln A and t consist of slow functions and of a swing. The swing is proportional to E and
+   varies like ca^2 and sa ca. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
    ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So the errors of Gauss' rule in these
    integrals are known, and each step corrects them. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
-   force such closed forms do not exist; for alpha < 3 the nodes then lie closer together at the ends of the steps
-   (vmi_gauss_rule_grade).
+   force there are no closed forms. If a force acts and alpha is less than 3 and not 1, the nodes lie closer together at
+   the ends of the steps (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
        vmi_osc_course_start(&c, &plan, &reduced, 1, 4, 1, VM_C(1e-12)); // the vm_osc_plan plan, reduced at t = 0
@@ -12877,7 +12938,8 @@ enum { VMI_HISTORY = 7 };
 
 /* sa and ca at the nodes of a step, and the errors `misses` of Gauss' rule: the exact integral minus the result of the
    rule, for the four functions ca^2, (x - 1/2) ca^2, sa ca and (x - 1/2) sa ca. x goes from 0 at the start of the step
-   to 1 at its end. Row i < n of `misses` is for the integrals over x from 0 to node i, row n for those from 0 to 1. */
+   to 1 at its end. Row i < n of `misses` is for the integrals over x from 0 to node i, row n for the integrals from 0
+   to 1. */
 enum { VMI_MISSES_CA2, VMI_MISSES_CA2_X, VMI_MISSES_SACA, VMI_MISSES_SACA_X, VMI_MISSES };
 typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
@@ -12890,8 +12952,9 @@ typedef struct VM_TAG(vmi_step_rates) {
     vm_real E[2]; /* E = (p^2 - a p - p')/W^2 at the first and at the last node */
 } vmi_step_rates;
 
-/* A run, that is one computation of the motion from 0 to t. A half period goes from one zero of ca to the next. It is
-   one part, or two parts that meet where sa = 0. Each step covers one part, unless it starts or ends inside a part. */
+/* A run, that is one computation of the motion from 0 to t. A half period goes from one zero of ca to the next. A half
+   period has one part, or two parts that meet where sa = 0. Each step covers one part, unless the step starts or ends
+   inside a part. */
 typedef struct VM_TAG(vmi_osc_course) {
     const vm_osc_plan *plan;
     vmi_osc_wave wave;
@@ -12901,7 +12964,8 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real stop;          /* time, s, at which a step must end: a point of a table or the end of the run. Mass and
                               stiffness are not evaluated beyond it */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends when the estimated error of the phase is at most this */
+    vm_real sweep_limit;   /* the iteration of a step ends when the estimated error of the phase is at most this
+                              number */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real A;             /* amplitude, m; only set for problems with a force */
     vm_real Om;            /* rate of the phase, 1/s, at this amplitude with the mass and stiffness at time 0 */
@@ -12910,9 +12974,9 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                 /* sa, ca and `misses` for each part of a half period */
-    vmi_step_rates difference[2][VMI_HISTORY]; /* for each part: rates of the last step that
-                                                covered all of it, and backward differences
-                                                of these rates over such steps */
+    vmi_step_rates difference[2][VMI_HISTORY]; /* for each part: the rates of the last step that covered the whole part,
+                                                  and the backward differences of these rates from one such step to the
+                                                  next */
     int known[2];          /* number of earlier steps over each part from which `difference` was computed */
     long evals;            /* number of evaluations of the rates */
 } vmi_osc_course;
@@ -12973,8 +13037,8 @@ VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_wa
 }
 
 /* Writes sa and ca at the nodes of a step that starts at the phase `from`, and the errors w->misses of Gauss' rule in
-   the integrals of ca^2 and sa ca over this step. In a very short step these errors would only be rounding errors, so
-   they are set to 0. */
+   the integrals of ca^2 and sa ca over this step. In a very short step the computed values of these errors would only
+   be rounding errors, so the function writes 0. */
 VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
 {
     const vm_real very_short = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -13324,9 +13388,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return c->rule.graded ? vmi_graded(part) : part;
 }
 
-/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past c->stop. `certain` is 0
-   if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the run
-   stays unchanged, since no step may cross a zero of x. */
+/* Makes a step that ends at c->stop. This step replaces the longer step `beyond`, which would go past c->stop.
+   `certain` is 0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than
+   `beyond`, the run stays unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -13389,8 +13453,8 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + s->whole.t)) >= 0;
 }
 
-/* Makes a step whose length is at most `most`, between 0 and 1, times the length up to the end of the present part of
-   the half period. If the step would go beyond c->stop, it is shortened to end at c->stop. */
+/* Makes one step. The argument `most` is between 0 and 1: the step is at most this fraction of the phase up to the end
+   of the present part of the half period. If the step would go beyond c->stop, it is shortened to end at c->stop. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
@@ -13423,7 +13487,7 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
     return VM_OK;
 }
 
-/* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
+/* Makes one step. If the iteration of the step does not converge, the function tries shorter and shorter steps. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
     const vm_real shortest = VM_C(0.01); /* steps below this fraction of their full length are not halved */
@@ -13475,10 +13539,10 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 /* oscillators/collocation.h - the motion of an oscillator by collocation, to a tolerance
 
    Two runs compute the same motion side by side, in steps from each zero of x to the next (oscillators/course.h). One
-   of them, the strict run, has more points per step than the other one, the loose run. The difference of their results
-   gives an estimate of the error. If the error is larger than the tolerance, another pair of runs with more points
-   follows. A pair of runs is stopped as soon as its error is too large, even before the end. So it costs little
-   computing time to try a pair with few points first.
+   of them, the strict run, has more points per step than the other one, the loose run. The difference between the
+   results of the two runs gives an estimate of the error. If the error is larger than the tolerance, another pair of
+   runs with more points follows. A pair of runs is stopped as soon as its error is too large, even before the end. So
+   it costs little computing time to try a pair with few points first.
        vm_osc_motion motion;
        int status = vmi_osc_collocate(&plan, VM_ROUTE_COLLOCATION, 300, VM_C(1e-8), &motion); // plan is a vm_osc_plan
    Tests: tests/test_collocation.c, tests/test_routes.c. */
@@ -13487,15 +13551,15 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 
 /* -- Two runs side by side -- */
 
-/* The time of the next point of a table after `from` on the way to t, or t if there is no such point */
+/* The time of the next point of a law's table after `from` on the way to t, or t if there is no such point */
 VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
 {
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
-/* Advances both runs to the time t, which is a point of a law's table or the end. On the way it adds the difference of
-   the phase between the two runs and their difference of ln A, and raises *difference to the largest of these sums. The
-   runs stop before t where *difference is larger than `most`. */
+/* Advances both runs to the time t, which is a point of a law's table or the end. At the ends of steps the function
+   compares the two runs: the absolute difference of their phases and that of their ln A are added. *difference becomes
+   the largest of these sums. The runs stop before t where *difference is larger than `most`. */
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real most,
                               vm_real *difference)
 {
@@ -13531,8 +13595,8 @@ enum { VMI_OSC_PAIRS = 6 };
 
 /* Pair number i, 0 to VMI_OSC_PAIRS - 1. Pair i is more accurate than pair i - 1. With a force the rates of ln A and
    phase may have kinks in the middle of a half period, where x' = 0, and the errors of Gauss' rule have no closed form.
-   So a half period then has two parts and more points. For alpha > 3 the rates change quickly in the middle of a half
-   period; two parts that meet there give smaller errors than one. */
+   Therefore with a force a half period has two parts and more points. For alpha > 3 the rates change quickly in the
+   middle of a half period; two parts that meet there give smaller errors than one. */
 VM_API vmi_osc_points vmi_osc_pair(const vm_osc_problem *o, int i)
 {
     static const vmi_osc_points alone[VMI_OSC_PAIRS] = {{2, 3, 1}, {3, 4, 1},  {4, 6, 1},
@@ -13551,9 +13615,9 @@ enum { VMI_OSC_SLOW, VMI_OSC_QUICK, VMI_OSC_BY_FUNCTION, VMI_OSC_FORCED };
 /* The index of the pair of runs that is tried first. Each kind of problem has a row in the table at_least, with a least
    tolerance for each pair of runs. The pair that is tried first is the first one in this row whose least tolerance is
    not above the given tolerance. `change` is the relative change of mass and stiffness while the phase grows by 1
-   (vmi_osc_change_at). A problem is quick if it is more than 1/16, else slow. The rows were found with changes of up to
-   0.01 for the slow problems, and of about 0.1 for the quick ones. If a user's function gives mass or stiffness, more
-   points are needed, because the derivative of the rate p is then found numerically. */
+   (vmi_osc_change_at). A problem is quick if `change` is more than 1/16, else slow. The rows were found with changes of
+   up to 0.01 for the slow problems, and of about 0.1 for the quick ones. If a user's function gives mass or stiffness,
+   more points are needed, because the derivative of the rate p is then found numerically. */
 VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_real change)
 {
     static const vm_real at_least[][VMI_OSC_PAIRS] = {
@@ -13571,8 +13635,8 @@ VM_API int vmi_osc_first_pair(const vm_osc_problem *o, vm_real tolerance, vm_rea
 }
 
 /* The index of the pair of runs that is tried after pair i. `error` is the estimated error of pair i, which is larger
-   than the tolerance. A pair is skipped if its error would be larger than the tolerance even where errors fall as fast
-   as 1/(number of points)^10. */
+   than the tolerance. To predict the errors of the next pairs, the function assumes that errors fall as fast as
+   1/(number of points)^10. It skips a pair whose predicted error is larger than the tolerance. */
 VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_real tolerance)
 {
     const vmi_osc_points last = vmi_osc_pair(o, i);
@@ -13586,8 +13650,9 @@ VM_API int vmi_osc_next_pair(const vm_osc_problem *o, int i, vm_real error, vm_r
     return next;
 }
 
-/* Computes the sum of the rates |p|, |a| and |k'/k| of mass, damping and stiffness at t (oscillators/reduction.h),
-   divided by the rate of the phase. Writes this quotient to *change if it is larger than *change. */
+/* Computes how fast mass, damping and stiffness change at t: the sum of the rates |p|, |a| and |k'/k| of
+   oscillators/reduction.h, divided by the rate of the phase. Writes this quotient to *change if it is larger than
+   *change. */
 VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_real *change)
 {
     vmi_osc_rates now;
@@ -13603,11 +13668,11 @@ VM_API int vmi_osc_change_at(const vm_osc_plan *plan, vm_real t, int side, vm_re
    the error of the loose run. Let n be the number of points per step. Where no force acts, the error falls about as
    n^-8 for alpha from 1 to 5. For alpha < 1 it falls as n^-6, because the rates have terms proportional to d^(alpha+2),
    where d is the distance from a zero of x, and Gauss' rule is less accurate for these terms. The error falls more
-   slowly than n^-8 also in each of these cases: a step has few points; mass or stiffness changes by more than 1/32 of
-   itself per radian; alpha > 5, where the velocity reverses suddenly; the force has kinks; a user's function gives mass
-   or stiffness. In a graded rule (vmi_gauss_rule_grade) the points are densest at both ends of a step, where x or x' is
-   0, so kinks of the force at these places cause smaller errors. docs/routes.md compares the estimated errors with the
-   true ones. */
+   slowly than n^-8 also if a step has few points, or if mass or stiffness changes by more than 1/32 of itself per
+   radian. The same holds for alpha > 5, where the velocity reverses suddenly, for a force with kinks, and if a user's
+   function gives mass or stiffness. In a graded rule (vmi_gauss_rule_grade) the points are densest at both ends of a
+   step, where x or x' is 0, so kinks of the force at these places cause smaller errors. docs/routes.md compares the
+   estimated errors with the true ones. */
 VM_API vm_real vmi_osc_strict_share(const vm_osc_problem *o, vmi_osc_points points, vm_real change)
 {
     const vm_real ratio = (vm_real)points.loose / (vm_real)points.strict, squared = ratio * ratio;
@@ -13625,16 +13690,16 @@ typedef struct VM_TAG(vmi_osc_pair_run) {
                               values at 0 and at t */
     vm_real longest;       /* the longest step, s */
     vm_real sweep_limit;   /* sweep_limit of the strict run (see vmi_osc_course) */
-    vm_real most;          /* the pair is stopped where its error is larger than this */
+    vm_real most;          /* the pair is stopped when its error is larger than this number */
     vmi_osc_course strict; /* the strict run; it ends before t if the pair was stopped */
     vmi_osc_rates now;     /* mass, stiffness and rates at t; only valid if the pair was not stopped */
     vmi_osc_reduced state; /* amplitude and phase of the strict run at t; only valid if the pair was not stopped */
     vm_real error;         /* estimated error at t; if the pair was stopped, it is extrapolated to t */
 } vmi_osc_pair_run;
 
-/* Sets amplitude and phase at t from the strict run. Before the call r->error is the error of ln A and phase, after it
-   the error of x and v. It is larger after the call, because an error of x also enters v = -2/(alpha+1) W A sa - p
-   x. */
+/* Sets amplitude and phase at t from the strict run. Before the call r->error is the error of ln A and of the phase;
+   after the call r->error is the error of x and v. The error of x and v is larger, because v = -2/(alpha+1) W A sa - p
+   x also contains the error of x. */
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
@@ -13679,9 +13744,9 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 }
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
-   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed, and where
-   amplitude and phase do not describe the motion, because mass, stiffness or force change as fast as the phase. Where
-   the law of the mass or of the stiffness fails, returns the status of this law. */
+   error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed. Also returns
+   VM_NOT_INTEGRATED if mass, stiffness or force change as fast as the phase, because amplitude and phase then do not
+   describe the motion. Where the law of the mass or of the stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_problem *o = &plan->problem;
@@ -13742,10 +13807,10 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 
    Cost. If the problem has no force F, the first seven routes (VM_ROUTE_TRIG to VM_ROUTE_ORDER5) are averaged solutions
    in closed form: they need one or two evaluations of sa and ca and the integrals of the laws of mass and stiffness,
-   whatever t and the tolerance are. The last three routes integrate from 0 to t within the tolerance. They integrate
-   twice, the second time with a stricter tolerance, and the difference of the two results gives the error. With a force
-   F the averaged equations of the first three routes are integrated numerically, too, and the routes VM_ROUTE_ORDER2 to
-   VM_ROUTE_ORDER5 do not exist. docs/cost.md has the times.
+   for every t and every tolerance. The last three routes integrate from 0 to t within the tolerance. Each of these
+   three integrates twice, the second time with a stricter tolerance, and the difference of the two results gives the
+   error. With a force F the averaged equations of the first three routes are integrated numerically, too, and the
+   routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 do not exist. docs/cost.md has the times.
 
    Choice. vm_osc_within takes the first of the seven averaged solutions whose estimated error is within the tolerance.
    If there is no such solution, or if there is a force F, it integrates numerically: by collocation
@@ -13762,8 +13827,8 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
      - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and the terms of the
        ripple of second order.
      - a force that changes within a period, as in a resonance. To find such changes, the function F is called over one
-       period at the start and over one period at each of eight later times. So the estimate misses a force that acts
-       only for a short time between these periods.
+       period at the start and over one period at each of eight later times. Therefore the estimate misses a force that
+       acts only for a short time between these periods.
 
    How good the estimate is. tests/test_routes.c compares the estimate with the true error of random problems. In these
    problems alpha is from 1/8 to 8, the relative rate q of change of mass and stiffness from 2e-3 to 0.1, and t from 1/q
@@ -13786,8 +13851,8 @@ typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_w
 typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                    vm_osc_motion *motion);
 
-/* Integrates the averaged equations numerically. This is needed with a force F, since there is no solution in closed
-   form. */
+/* Integrates the averaged equations numerically. A problem with a force F needs this function, since with F there is no
+   solution in closed form. */
 VM_API int vmi_osc_integrate_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                       vm_osc_motion *motion)
 {
@@ -13902,9 +13967,9 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
      VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with a force F, and for all routes with F if x = v = 0 at t = 0,
      VM_NOT_INTEGRATED, for collocation only, where amplitude and phase do not describe the motion,
      VM_NOT_INTEGRATED where the integrator cannot reach t, where |t| is more than 2^23 of the present periods, or where
-       there are too many steps: more than 2^13 a period plus four times the number that the longest step makes
-       necessary.
-   The two limits on |t| and on the steps guarantee that every call ends. */
+       there are too many steps: more than 2^13 in each period, plus four times the number of steps of the greatest
+       length that is allowed.
+   The limit of |t| and the limit of the number of steps guarantee that every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
@@ -13928,8 +13993,8 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
    the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* a factor on the estimate: in one case of 400 the error is larger than the
-                                          estimate, up to 1.9 times */
+    const vm_real reserve = VM_C(1.5); /* a factor on the estimate: in one of 400 cases the true error is larger than
+                                          the estimate, by a factor of up to 1.9 */
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
@@ -13966,8 +14031,8 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
 
 /* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. The function takes the cheapest route
    whose estimated error is within the tolerance; motion->route is this route. The error is the larger of |error of x|/A
-   and |error of v|/vmax (see vm_osc_motion). For an error of x of at most d metres, the tolerance is d/A; a tolerance
-   of 0 means 1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
+   and |error of v|/vmax (see vm_osc_motion). To keep the error of x below d metres, set the tolerance to d/A. A
+   tolerance of 0 means 1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);
@@ -13995,8 +14060,8 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
 }
 
 /* Computes x(t), x'(t) at time t (s, either sign) by a given route. Use this function for a single t; for several
-   values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_by_route; it also returns the
-   statuses of vm_osc_plan_init. */
+   values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_by_route; the function also returns
+   the statuses of vm_osc_plan_init. */
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
@@ -14009,8 +14074,8 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
 }
 
 /* Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route. Use this function for a
-   single t; for several values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_within; it
-   also returns the statuses of vm_osc_plan_init. */
+   single t; for several values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_within; the
+   function also returns the statuses of vm_osc_plan_init. */
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;
@@ -14612,9 +14677,9 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
    factor of the force, b the damping and r the share of the reactive force. If ds = sqrt(k/m) dt defines a new time s,
    then all slow changes together act as one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
-   so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical variables, that is they obey Hamilton's equations. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H
-   is the Hamiltonian for constant mass, and a is the function
+   The last equation defines the function mu(t). Then J = j mu sqrt(k/m) stays constant on average, where j is the
+   action of the orbit. J and the phase phi are canonical variables, that is they obey Hamilton's equations. The
+   Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian for constant mass, and a is the function
        a(phi) = (integral of v dx from phase 0) - j phi
    of period pi (2 pi in a well, which is a place of rest beside x = 0) and mean 0. Let B be the integral of a over the
    phase, with mean 0. To second order in h the mean action and the mean phase are
@@ -14634,10 +14699,10 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
 /* The largest number of terms of a Fourier series in vmi_orbit_ripple */
 enum { VMI_RIPPLE_HARMONICS = 96 };
 
-/* The functions a and B of the top of this file on one orbit. They give the ripple, the swing of action and phase
-   within a period. A name with _size is the derivative with respect to the field `size` of the orbit, at fixed phase.
-   The function a is a Fourier series in sin(n zeta) where its coefficients have closed forms, with zeta = 2 phi for an
-   orbit around 0 and zeta = phi in a well; otherwise it is an integral over theta. */
+/* The functions a and B of the top of this file on one orbit. These functions give the ripple, the swing of action and
+   phase within a period. A name with _size is the derivative with respect to the field `size` of the orbit, at fixed
+   phase. If the Fourier coefficients of the function a have closed forms, a is a sum of terms in sin(n zeta), with zeta
+   = 2 phi for an orbit around 0 and zeta = phi in a well. Otherwise a is an integral over theta. */
 struct VM_TAG(vmi_orbit_ripple) {
     vm_real M, M_size;     /* mean of a^2, and the derivative of this mean with respect to size */
     vm_real X, X_size;     /* mean of x^2, and the derivative of this mean with respect to size; for Duffing's force
@@ -14645,8 +14710,8 @@ struct VM_TAG(vmi_orbit_ripple) {
     vm_real w_size, j_size; /* derivatives of the phase rate w and of the action j with respect to size */
     vm_real largest_a;     /* largest |a|/j, or for a Fourier series a bound of it */
     vm_real largest_B;     /* largest w |(B/w)_j|, or for a Fourier series a bound of it */
-    int harmonics;         /* number of terms of the Fourier series; 0 where there is none, and the fields from `time`
-                              on are used */
+    int harmonics;         /* number of terms of the Fourier series; 0 where there is no such series: then the fields
+                              from `time` on are used */
     vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* n >= 1: factor of sin(n zeta) in a, and
                                                                               its derivative with respect to size */
     vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
@@ -14837,8 +14902,8 @@ VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit
     return orbit->j * r->w_size / (r->j_size * orbit->w);
 }
 
-/* (M/w)_j, the derivative of M/w with respect to the action, on which the mean rate of the phase depends. M is the mean
-   of a^2, w the rate of the phase. */
+/* (M/w)_j, the derivative of M/w with respect to the action. M is the mean of a^2, w the rate of the phase. The mean
+   rate of the phase depends on this derivative. */
 VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);
@@ -14870,23 +14935,24 @@ VM_API vm_real vmi_orbit_spring_action(const vmi_orbit_ripple *r, const vmi_orbi
    of the motion about its mean within a period, follows from a(phi). For Duffing's force c1 x + c3 x^3 this function is
    a Fourier series whose terms have a closed form, so that no numerical integration is needed. Let zeta be 2 phi for an
    orbit around 0 and phi for an orbit in a well, and let Omega be the rate of zeta. Let q be the nome of the parameter
-   m of Jacobi's functions; for 0 < m < 1 it is exp(-pi K(1-m)/K(m)). Then
+   m of Jacobi's functions. For 0 < m < 1 the nome is exp(-pi K(1-m)/K(m)), where K is the complete elliptic integral.
+   Then
        a = sum over n >= 1 of a_n sin(n zeta),   a_n = -(2 Omega/(3 c3)) (2 c1 + n^2 Omega^2) q^n/(1 - q^(2n)).
    Method: a is the periodic part of an integral of v^2 over time, and v^2 is a polynomial in sn^2(u) with the argument
    u of Jacobi's functions. So the integrals of sn^2 and sn^4 are needed. The integral of sn^2 is a multiple of u minus
    Z(u)/m, where Jacobi's zeta function Z is periodic. Because (sn cn dn)' = 1 - 2 (1 + m) sn^2 + 3 m sn^4, the integral
-   of sn^4 consists of u, the integral of sn^2 and sn cn dn = -Z''/(2m). So a is a combination of Z and Z'', and the
-   Fourier series of both follow from that of Z (DLMF 22.11, 22.16(iii)).
+   of sn^4 consists of u, the integral of sn^2 and sn cn dn = -Z''/(2m). So a is a combination of Z and Z''. The Fourier
+   series of Z is known (DLMF 22.11, 22.16(iii)), and gives the series of Z'' and of a.
        vmi_orbit_ripple ripple;
        vmi_duffing_ripple(&orbit, &ripple); // orbit is a complete orbit of vm_duffing_force
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_DUFFING_RIPPLE_H
 #define VARMASS_OSCILLATORS_DUFFING_RIPPLE_H
 
-/* Returns the nome q of the parameter m = 1 - m1 (see the top of this file), and writes q/m to *by_m. For m -> 0 the
-   quotient q/m has a limit. K is the complete elliptic integral K(m). q and q/m have an error of some 1e-13 (float:
-   some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a series in e = (1 -
-   k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus the nome of m/(m - 1). */
+/* Returns the nome q of the parameter m = 1 - m1 (see the top of this file), and writes q/m to *by_m. The quotient q/m
+   has a limit for m -> 0. The argument K is the complete elliptic integral K(m). q and q/m have an error of some 1e-13
+   (float: some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a power series in e
+   = (1 - k'^(1/2))/(2 (1 + k'^(1/2))), where k' = sqrt(m1). For m < 0 the nome of m is minus the nome of m/(m - 1). */
 VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
 {
     const vm_real series_holds = VM_C(0.1), kp = VM_SQRT(m1), root = VM_SQRT(kp);
@@ -14902,8 +14968,9 @@ VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
     return q;
 }
 
-/* The number 2 c1/Omega^2 + 1 for an orbit in a well with the nome q. It is computed as -24 (sum of d q^(2d)/(1 -
-   q^(2d)) over odd d). For small orbits 2 c1/Omega^2 and 1 nearly cancel, and the sum avoids this loss of digits. */
+/* The number 2 c1/Omega^2 + 1 for an orbit in a well with the nome q; the top of this file explains c1 and Omega. For
+   small orbits 2 c1/Omega^2 and 1 nearly cancel, and digits would be lost. Therefore the function computes the number
+   as -24 times the sum of d q^(2d)/(1 - q^(2d)) over odd d. */
 VM_API vm_real vmi_duffing_well_term(vm_real q)
 {
     const vm_real q2 = q * q;
@@ -14981,9 +15048,9 @@ VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
     return vmi_duffing_inner_terms(orbit);
 }
 
-/* Writes the ripple of an orbit of Duffing's force whose fields are all set. The Fourier series ends where its terms
-   are too small to matter; 96 terms are enough even for an orbit that is only a rounding error away from a
-   separatrix. */
+/* Writes the ripple of an orbit of Duffing's force whose fields are all set. The Fourier series ends where its
+   terms are below about 1e-11 (float 1e-6) of the largest term. 96 terms are enough even for an orbit that is only a
+   rounding error away from a separatrix. */
 VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-6);
@@ -15017,11 +15084,10 @@ VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
    With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is
    written with Jacobi's functions, for each sign of the coefficients:
      c1 >= 0, c3 >= 0   hardening spring: every motion is a vibration around 0, x = A cn
-     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away: |x| grows
-                        without limit
+     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; in larger motions |x| goes to infinity
      c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
-                        them, x = A dn; between these two kinds of motion is the separatrix x = A/cosh with an infinite
-                        period
+                        them, x = A dn; between these two kinds of motion is the separatrix x = A/cosh(lambda t), whose
+                        period is infinite
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
@@ -15041,7 +15107,7 @@ VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
 }
 
 /* Returns d = A^2 - x^2, the square of the amplitude A minus x^2. The number d solves c3 d^2/2 + slope d = v^2, where
-   slope = c1 + c3 x^2. Returns NaN for a motion that runs away. */
+   slope = c1 + c3 x^2. Returns NaN if the motion goes to infinity. */
 VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
 {
     const vm_real root = VM_SQRT(slope * slope + 2 * c3 * (v * v));
@@ -15052,8 +15118,8 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
 }
 
 /* Writes the size and place of the orbit (oscillators/odd_force.h) that contains the state (x, v). With two wells the
-   orbit lies in one well if its energy is not above the energy of a body at rest at x = 0. Returns VM_NO_LAW for a
-   motion that runs away. */
+   orbit lies in one well if its energy is not above the energy of a body at rest at x = 0. Returns VM_NO_LAW if the
+   motion goes to infinity. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -15129,7 +15195,7 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
 }
 
 /* Computes all other fields of an orbit from its place and its size > 0. Returns VM_NO_LAW on a separatrix and where
-   the motion runs away. */
+   the motion goes to infinity. */
 VM_API int vmi_duffing_complete(vmi_orbit *orbit)
 {
     int status;
@@ -15224,7 +15290,7 @@ VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x,
 }
 
 /* Duffing's force without the function that computes its ripple (oscillators/orbit_ripple.h). The functions for
-   constant mass do not need the ripple; so a program that uses only these functions does not contain the code for the
+   constant mass do not need the ripple. So a program that uses only these functions does not contain the code for the
    ripple. */
 VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
@@ -15240,8 +15306,8 @@ VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
     return force;
 }
 
-/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but at least one must be positive:
-   otherwise nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+/* Duffing's force k1 x + k3 x^3. k1 (N/m) and k3 (N/m^3) may have either sign, but at least one of them must be
+   positive. Otherwise there are no vibrations, and all functions refuse the force with VM_NO_LAW. */
 VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vmi_duffing_elastic(k1, k3);
@@ -15264,7 +15330,7 @@ VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
 /* -- Constant mass: energy, period, action and exact motion -- */
 
 /* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
-   It is conserved. Returns NaN for infinite arguments. */
+   The energy stays constant during a motion. Returns NaN for arguments that are infinite or NaN. */
 VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
 {
     if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
@@ -15283,8 +15349,9 @@ VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 
 /* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
    For a motion in one of two wells it is the time of one vibration in this well. The period is infinite on the
-   separatrix. The relative error is at most 8 eps where no terms of the sums c1 + c3 x0^2 and c1 + c3 x0^2/2
-   cancel. Returns NaN where the motion runs away, at x0 = 0, and for infinite arguments. */
+   separatrix. The relative error is at most 8 eps where the two terms of c1 + c3 x0^2, and those of c1 + c3 x0^2/2, do
+   not cancel. Returns NaN if the motion goes to infinity, if the body stays at rest (at x0 = 0 or x0^2 = -c1/c3), and
+   if an argument is infinite or NaN. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -15297,8 +15364,9 @@ VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 }
 
 /* Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
-   It is the integral of v dx over a period, divided by 2 pi. It stays constant while mass or stiffness changes slowly.
-   Domain and accuracy are those of vm_duffing_period, but the action is 0 for x0 = 0, and NaN on the separatrix. */
+   The action is the integral of v dx over a period, divided by 2 pi. If c1 and c3 change slowly, the action stays
+   nearly constant. Domain and accuracy are those of vm_duffing_period, but the action is 0 for x0 = 0 and for a body at
+   rest in a well, and NaN on the separatrix. */
 VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -15321,10 +15389,11 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 }
 
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
-   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
-   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of the sums c1 + c3 A^2 and c1 + c3
-   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and nothing where
-   the pointer to an output is null. Equations: DLMF 22.19(ii). */
+   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps of
+   the amplitude and of the largest velocity, times 1 + t/period, where the two terms of c1 + c3 A^2, and those of c1 +
+   c3 A^2/2, do not cancel. A is the amplitude. If the motion goes to infinity, or an argument is infinite or NaN, NaN
+   is written to both x and v. The same holds for c1 > 0, c3 < 0, A^2 = -c1/c3, the border of the motions that go to
+   infinity. If x or v is a null pointer, nothing is written. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
@@ -15627,8 +15696,8 @@ VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real
    The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
        m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
    F is odd, that is F(-x) = -F(x). It is Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the
-   user (oscillators/odd_force.h). `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's
-   velocity. k1 and k3 may depend on time, too (vm_duffing_force_of_laws). The shortest useful call:
+   user (oscillators/odd_force.h). `reactive` is 1 where mass that joins or leaves is at rest, 0 where this mass has the
+   body's velocity. k1 and k3 may depend on time, too (vm_duffing_force_of_laws). The shortest useful call:
        vm_odd_problem problem;
        vm_odd_motion motion;
        problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
@@ -16169,7 +16238,7 @@ VM_API int vmi_odd_mean_at(const vm_odd_plan *p, vm_real t, vmi_odd_mean *mean)
     return mean->orbit.force->complete(&mean->orbit);
 }
 
-/* Adds the ripple to the mean motion: phase and orbit become those of x and v. */
+/* Adds the ripple to the mean motion: after that, phase and orbit are those of the actual motion x and v. */
 VM_API int vmi_odd_add_ripple(vmi_odd_mean *mean)
 {
     vmi_orbit *orbit = &mean->orbit;
@@ -16387,7 +16456,8 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
-/* Integrates from the present time to t. It stops and restarts at every point of a table between these times. */
+/* Integrates from the present time to t. The function restarts the integrator at every point of a table between these
+   times. */
 VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -16532,7 +16602,8 @@ VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance,
 
 /* -- Routes -- */
 
-/* Checks the arguments that all functions with a plan have in common, and replaces a tolerance of 0 by the default. */
+/* Checks the arguments that all functions with a plan have in common. A tolerance of 0 becomes the default, 1e-6 (float
+   1e-3). */
 VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance,
                               const vm_odd_motion *motion)
 {
@@ -16625,14 +16696,14 @@ VM_API int vm_odd_within(const vm_odd_problem *problem, vm_real t, vm_real toler
 
    This file has, in closed form, the amplitude and the largest velocity of an oscillator
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x'
-   whose mass m(t) varies slowly, that is, by little within a period: (325), (326), (344), (364), (367), (389), (395).
-   The files for Van der Pol's oscillator, for the rotor, for two bodies and for an oscillator under a harmonic force
-   use this file.
+   whose mass m(t) varies slowly, that is, by little within a period. These are the equations (325), (326), (344),
+   (364), (367), (389) and (395) of the dissertation. The files for Van der Pol's oscillator, for the rotor, for two
+   bodies and for an oscillator under a harmonic force use this file.
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // A at a later time
 
-   Here A was 3 at first, half of the mass is gone, no damping acts (0), the force is reactive (1), and the spring is
-   cubic (alpha = 3).
+   Here A was 3 at t = 0. The arguments say: half of the mass is left (0.5), there is no damping (0), the mass that
+   leaves is at rest (1), and the spring is cubic (alpha = 3).
 
    The symbols in these files: A is the amplitude, psi the Ateb phase, Om = psi' its rate, m the mass, k the stiffness,
    b the damping, r the argument `reactive`, and q the rate at which mass, damping and stiffness change the vibration
@@ -16663,9 +16734,9 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real r
 }
 
 /* Ratio of the largest velocity x'_max within a period to its value at t = 0, for an oscillator whose mass varies
-   slowly. It follows from the amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364) and (395) as
-   corrected in docs/errata.md. The arguments and their domain are those of vm_osc_amplitude_law. Outside the domain and
-   for infinite arguments the result is NaN. */
+   slowly. The largest velocity follows from the amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326),
+   (364) and (395) as corrected in docs/errata.md. The arguments and their domain are those of vm_osc_amplitude_law.
+   Outside the domain and for infinite arguments the result is NaN. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */
@@ -16680,10 +16751,10 @@ typedef struct VM_TAG(vmi_linear_mass) {
     vm_real integral;    /* integral of dt/m from 0 to t, s/kg; its formula is also valid at rate = 0 */
 } vmi_linear_mass;
 
-/* Writes to *linear the mass that a law describes between 0 and t, if this mass is linear in time. Closed forms need
-   this. Returns VM_NO_LAW where the mass is neither linear in time nor constant; the code finds this by
-   vmi_law_exponential_form. Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no
-   constructor made the law, and VM_NOT_FINITE for a number that is infinite or NaN. */
+/* Writes to *linear the mass that a law describes between 0 and t, if this mass is linear in time. Some closed forms
+   hold only for a linear mass. Returns VM_NO_LAW where the mass is neither linear in time nor constant;
+   vmi_law_exponential_form tells this. Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT
+   where no constructor made the law, and VM_NOT_FINITE for a number that is infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -16736,14 +16807,14 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 #endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
-   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k, which may vary slowly
-   like the mass:
+   The equation is (404) of the dissertation. The spring has any exponent alpha; the mass m(t) and the stiffness k may
+   vary slowly:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
-   The term with feed > 0 brings energy into the vibration, and the term with c > 0 limits it; then the vibration tends
-   to a steady one, the limit cycle. r is the field `reactive`: 1 where mass that joins or leaves is at rest, 0 where it
-   has the body's velocity. This file has the equation of motion, the averaged equations (410), the amplitude in closed
-   form for a mass that is linear in time, and the amplitude of the limit cycle. These are the equations (403) to (440),
-   as corrected in docs/errata.md.
+   The term with feed > 0 brings energy into the vibration, and the term with c > 0 limits the vibration. With both
+   terms the vibration tends to a steady vibration, the limit cycle. r is the field `reactive`: 1 where mass that joins
+   or leaves is at rest, 0 where this mass has the body's velocity. This file has the equation of motion, the averaged
+   equations (410), the amplitude in closed form for a mass that is linear in time, and the amplitude of the limit
+   cycle. These are the equations (403) to (440), as corrected in docs/errata.md.
 
        vm_vdp v;
        memset(&v, 0, sizeof v);
@@ -16751,14 +16822,14 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
        v.feed = v.c = VM_C(0.1);
        v.mass = vm_law_linear(1, VM_C(0.02)); // 1 kg, and 0.02 kg/s joins at rest
        int status = vm_vdp_init(&v);
-       vm_real A = vm_vdp_amplitude(&v, 100, VM_C(0.3)); // at t = 100 s, where it was 0.3 m at t = 0
+       vm_real A = vm_vdp_amplitude(&v, 100, VM_C(0.3)); // A at t = 100 s, if A = 0.3 m at t = 0
 
    Tests: tests/test_van_der_pol.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_H
 
-/* Methods of averaging. Each method computes the means over one period of an approximate motion x, which is given
-   beside its name. A is the amplitude and psi the Ateb phase. */
+/* Methods of averaging. Each method takes the means over one period of an approximate motion x. The comment beside the
+   name of the method has this motion. A is the amplitude and psi the Ateb phase. */
 enum {
     VM_VDP_ATEB = 0,         /* x = A ca(psi), the exact motion without damping; the means are exact to first order */
     VM_VDP_JACOBI = 1,       /* x = A cn with Jacobi's cn (411)-(413); the error of the limit cycle's amplitude is at
@@ -16775,11 +16846,12 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real feed;       /* coefficient of the term that brings energy into the vibration, N s/m; if it is < 0, the term
                            takes energy out */
     vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
-    vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where this mass has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
-    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; if all its fields are 0, as after memset, the
-                           stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_law stiffness;   /* law of a slow stiffness, N/m^alpha, > 0, in place of k; if all fields of the law are 0, as
+                           after memset, the stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use
+                           it */
     vm_real a1, a2, a3; /* mean values in the averaged equations (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
@@ -16827,9 +16899,9 @@ VM_API int vmi_vdp_check(const vm_vdp *v)
 
 /* Prepares a Van der Pol oscillator: checks the fields alpha, k, feed, c, reactive and method, and writes the mean
    values a1, a2, a3 (411)-(413). The functions below need this call; the mass may be set and changed later. The mean
-   values are within 20 eps. Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number
-   that is infinite or NaN, VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness, VM_DOMAIN for alpha < 0, and
-   VM_OK otherwise. An error leaves *v as it was. */
+   values are within 20 eps of the true values. Returns VM_BAD_ARGUMENT for a null pointer or an unknown method,
+   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness,
+   VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves *v as it was. */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     int status;
@@ -16840,8 +16912,8 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* The drive 2 feed - (2 reactive - 1) m', N s/m, where m' is the mass rate. If it is positive, a small vibration grows
-   on average. */
+/* The drive 2 feed - (2 reactive - 1) m', N s/m, where m' is the mass rate. If the drive is positive, a small vibration
+   grows on average. */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
@@ -16855,7 +16927,8 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
-/* Returns 1 if the closed forms below may be used, that is if vm_vdp_init has prepared the oscillator; else 0. */
+/* Returns 1 if the closed forms in this file may be used, that is if vm_vdp_init has prepared the oscillator; else
+   0. */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a mass that is linear in time. first_A is the
@@ -16970,16 +17043,17 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 #endif
 /* oscillators/van_der_pol_expansion.h - Van der Pol's oscillator: from the motion to its mean motion and back
 
-   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping, so that the rates a
-   and p of oscillators/reduction.h contain it. Then the amplitude A and the phase psi of oscillators/reduction.h obey
-   the exact equations
+   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping; therefore the rates a
+   and p of oscillators/reduction.h contain the feed. Then the amplitude A and the phase psi of oscillators/reduction.h
+   obey the exact equations
      (ln A)' = -p + W [-(2/n) e ca^2 sa^2 + E0 sa ca - Q0 ca^3 sa],
      psi'    =      W [1 - e ca^3 sa + (n/2) E0 ca^2 - (n/2) Q0 ca^4],
    with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass and stiffness. Let epsilon be the
    relative change of the vibration while the phase grows by 1. The numbers e, e1, Q0 and E0, called the disturbances,
    are
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
-   where m is the mass. e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 all but E0 are 0.
+   where m is the mass. e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 all disturbances
+   except E0 are 0.
 
    A transformation leads from A and psi to mean values, whose rates do not vary within a period. Let J be
    A^((alpha+3)/2) times a factor that varies slowly, chosen so that J is constant if A'/A = -p. Then the mean values of
@@ -16988,8 +17062,8 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
      psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
    where < > is the mean over a period. F and K_1, K_2, K_3, K_Q, K_E are constants that depend on alpha only. This file
    has these constants, and the transformation in both directions. These equations and the transformation are called the
-   law of order three: the motion that follows from them has an error of O(epsilon^3) over times of 1/epsilon. The law
-   is new; docs/van-der-pol.md shows how large its errors are.
+   law of order three: the motion that this law gives has an error of O(epsilon^3) over times of 1/epsilon. The law is
+   new; docs/van-der-pol.md shows how large its errors are.
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
@@ -16999,14 +17073,14 @@ VM_API int vm_vdp_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 
-/* The indices of the polynomials for phases near a zero of sa, which the law of order three needs in addition to those
-   of oscillators/ripple.h. CA6 gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is
-   the integral of C = ca^2 - <ca^2>. */
+/* The indices of the polynomials for phases near a zero of sa. The law of order three needs these polynomials in
+   addition to the polynomials of oscillators/ripple.h. CA6 gives the integral over the phase of ca^6. SQUARE gives the
+   integral of S^2, where S is the integral of C = ca^2 - <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
 /* The indices of the polynomials for phases near a zero of ca. VMI_VDP_CA6 gives the integral of ca^6. The polynomials
-   listed here give three parts of the integral of S^2: S is I - <ca^2> d with the integral I of ca^2 and the phase d
-   since the zero, so S^2 has terms in d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
+   listed here give three parts of the integral of S^2. Let I be the integral of ca^2, and d the phase since the zero.
+   Then S is I - <ca^2> d, so that S^2 has terms in d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
 enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
 
 /* Constants and polynomials of the law of order three for one alpha, prepared by vmi_vdp_ripple_init. F, K2, K3, K1, KQ
@@ -17051,8 +17125,8 @@ VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
     }
 }
 
-/* Turns a power series in w, for w from 0 to 1/2, into a polynomial in 4 w - 1. It differs from the series only by
-   about rounding errors. */
+/* Turns a power series in w, for w from 0 to 1/2, into a polynomial in 4 w - 1. The polynomial differs from the series
+   only by about the size of rounding errors. */
 VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -17185,8 +17259,8 @@ VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
     v->constant = g / 2 * Z + H - (alpha + 3) * n / (2 * (alpha + 7)) * (VM_C(1.) / 6 + 1 / (alpha + 15)) * m6;
 }
 
-/* Computes *v for the alpha of *r, whose polynomials must be ready. For the mean of S^2 it integrates S^2 over a
-   quarter of the period, which it splits at the phase where sa^2 = 1/2. */
+/* Computes *v for the alpha of *r, whose polynomials must be ready. For the mean of S^2 the function integrates S^2
+   over a quarter of the period, in two parts that meet where sa^2 = 1/2. */
 VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
@@ -17333,9 +17407,9 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
      psi = psi_0 + integral of W (1 + second order terms) dt,
    where W is the rate of the phase, and the constant F and the terms of second order are those of
-   oscillators/van_der_pol_expansion.h. At the points of a table p' jumps, so that the mean motion jumps, too. Around
-   such a point the exact equations are integrated: from the last phase with sa = 0 or ca = 0 before the point to the
-   first such phase after the point.
+   oscillators/van_der_pol_expansion.h. At the points of a table p' jumps. Since E0 in the transformation contains p',
+   the mean motion jumps, too. Around such a point the exact equations are integrated: from the last phase with sa = 0
+   or ca = 0 before the point to the first such phase after the point.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -17354,15 +17428,15 @@ typedef struct VM_TAG(vmi_vdp_mean) {
                                      laws are smooth */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; valid only at the end of a walk, the integration
                                      along the laws */
-    vm_real J_error;              /* error of ln J by the terms that order two leaves out where the mean motion is
-                                     started; such an error grows or decays, and this is its value at t */
+    vm_real J_error;              /* error of ln J at t, caused by the terms that order two leaves out where the mean
+                                     motion is started; such an error grows or decays with time */
     vm_real psi_error;            /* size of the terms of psi that order two leaves out */
-    vm_real J_third, psi_third;   /* sizes of the terms of ln J and of psi that order three leaves out, as far as they
-                                     do not depend on c */
+    vm_real J_third, psi_third;   /* sizes of those terms of ln J and of psi that order three leaves out and that do not
+                                     depend on c */
     vm_real ratio;                /* where the mean motion was started, the largest value of (terms of one order)/(terms
                                      of the next lower order) */
     vmi_osc_mean fast;            /* its fields change, dropped, shortest and error describe fast changes of mass and
-                                     stiffness; the rest of its fields is not used */
+                                     stiffness; its other fields are not used */
 } vmi_vdp_mean;
 
 /* A plan: numbers that vm_vdp_plan_init computes once for a Van der Pol oscillator and its state at t = 0. Read the
@@ -17401,9 +17475,9 @@ VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, 
     return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* Returns the disturbances e, e1, Q0 and E0 of oscillators/van_der_pol_expansion.h. They follow from the mass, from nu
-   (see vmi_vdp_nu), from the rate p, from G0 = p^2 - a p - p', and from the amplitude exp(ln_A). W is the rate of the
-   phase at this amplitude. */
+/* Returns the disturbances e, e1, Q0 and E0 of oscillators/van_der_pol_expansion.h. The disturbances follow from the
+   mass, from nu (see vmi_vdp_nu), from the rate p, from G0 = p^2 - a p - p', and from the amplitude exp(ln_A). W is the
+   rate of the phase at this amplitude. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -17473,9 +17547,9 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
 }
 
 /* Integrates the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts
-   the mean motion there. If `knots` is 1, it integrates to the first such phase after the next point of a table. `side`
-   is 1 forward, -1 backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or
-   that a further table point lies before the end of this integration. */
+   the mean motion there. If `knots` is 1, the function integrates to the first phase of this kind after the next point
+   of a table. `side` is 1 forward, -1 backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not
+   describe the motion, or that a further table point lies before the end of this integration. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -17542,9 +17616,9 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 
 /* Prepares a plan, by which the motion of a Van der Pol oscillator is computed at many times.
    x is the position, m, and x_rate the velocity, m/s, at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
-   plan. The field `method` of *v must be valid, but the results do not depend on it, nor on the fields a1, a2 and a3.
-   The oscillator is copied; the tables of its laws and what ctx points to must exist as long as the plan is used.
-   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
+   plan. The field `method` of *v must be valid, but the results do not depend on `method`, a1, a2 and a3. The
+   oscillator is copied; the tables of its laws and what ctx points to must exist as long as the plan is used. Errors
+   leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
    constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a
    stiffness that is not positive at t = 0 or in a table, and VM_DOMAIN for alpha < 0, for a table whose times do not
    rise or do not contain t = 0, and where a user's function fails. */
@@ -17715,7 +17789,7 @@ VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_r
 }
 
 /* Returns 1 if the last terms of a Legendre series of the phase rate are at most `limit` times the mean rate, else 0.
-   The rate may be negative where the law of order three is not valid. */
+   The limit is for absolute values, because the rate may be negative where the law of order three is not valid. */
 VM_API int vmi_vdp_rate_is_resolved(const vm_real *rate, vm_real limit)
 {
     return vmi_legendre_tail(rate) <= limit * VM_FABS(rate[0]);
@@ -17836,7 +17910,8 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    /* If going back passes the previous table point, or t = 0, the two points are too close together. */
+    /* If the time to which the mean motion goes back lies before the previous table point, or before t = 0, the two
+       points are too close together. */
     if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED;
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);
@@ -17892,7 +17967,7 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
    of R^((alpha-1)/4) dt, an incomplete beta function whose second parameter is 0. This function is elementary only if
    (alpha-1)/4 is rational, and the orders two and three need several such functions (docs/van-der-pol.md). For these
    alpha the code of oscillators/van_der_pol_walk.h computes all integrals numerically until the limit cycle (the steady
-   vibration) is reached. From that time on the phase grows at a constant rate. So the cost does not depend on t.
+   vibration) is reached. From that time on the phase grows at a constant rate. Therefore the cost does not depend on t.
        vmi_vdp_mean mean;
        vm_vdp_plan plan;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -17901,7 +17976,7 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_CONSTANT_H
 
-/* Returns 1 if the form of a law shows that the law is constant, else 0. */
+/* Returns 1 if the exponential form of a law (vmi_law_exponential_form) shows that the law is constant, else 0. */
 VM_API int vmi_vdp_is_constant(const vm_law *law)
 {
     vm_real base, rate;
@@ -17948,8 +18023,8 @@ VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
     return VM_OK;
 }
 
-/* Returns the terms of second order in y, divided by y, for alpha = 1. These terms are integrals over time of e^(kappa
-   t), e^(kappa t) A^2 and e^(kappa t) A^4, where A is the amplitude of first order. */
+/* Returns the terms of second order in y, divided by y, for alpha = 1. These terms contain the integrals over time of
+   e^(kappa t), e^(kappa t) A^2 and e^(kappa t) A^4, where A is the amplitude of first order. */
 VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, vm_real W)
 {
     const vmi_vdp_ripple *v = &p->ripple;
@@ -17990,8 +18065,8 @@ VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_rea
 }
 
 /* Returns the time, s, after which the motion differs from the limit cycle (the steady vibration) by rounding errors
-   only. The time is counted from the start of the mean motion, forward for side = 1, backward for side = -1. It is
-   infinite if the motion does not tend to a limit cycle in this direction. */
+   only. The time is counted from the start of the mean motion, forward for side = 1, backward for side = -1. The result
+   is infinite if the motion does not tend to a limit cycle in this direction. */
 VM_API vm_real vmi_vdp_settling_time(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, int side)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) and, for float, exp(-24) are below the rounding
@@ -18017,7 +18092,7 @@ VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
    the limit cycle is reached. Returns the statuses of vmi_vdp_mean_at. */
 VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
-    const vm_real extreme = VM_C(1e6); /* for |z| > extreme or < 1/extreme the closed form divides by about 0 */
+    const vm_real extreme = VM_C(1e6); /* for |z| > extreme or |z| < 1/extreme the closed form divides by nearly 0 */
     const int side = vmi_time_side(t);
     vmi_vdp_growth_course g;
     vm_real settled;
@@ -18043,9 +18118,9 @@ VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *me
 #endif
 /* oscillators/van_der_pol_routes.h - the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
 
-   Five methods, called routes, lead from x and x' at t = 0 to x and x' at any t. Three of them are the law of
-   oscillators/van_der_pol_expansion.h, cut off after order one, two or three; the other two are numerical integrations.
-   The names of the routes are those of oscillators/problem.h:
+   Five methods, called routes, lead from x and x' at t = 0 to x and x' at any t. Three routes are the law of
+   oscillators/van_der_pol_expansion.h, cut off after order one, two or three. The other two routes are numerical
+   integrations. The names of the routes are those of oscillators/problem.h:
      VM_ROUTE_ATEB           law of order one, with a start of order three; errors are O(epsilon)
      VM_ROUTE_ORDER2         law of order two; errors are O(epsilon^2)
      VM_ROUTE_ORDER3         the whole law, of order three; errors are O(epsilon^3)
@@ -18082,10 +18157,9 @@ VM_API int vmi_vdp_order_of(int route)
 
 /* Returns the estimated error of the route VM_ROUTE_ORDER3, and writes that of VM_ROUTE_ORDER2 to *second. Each
    estimate is the sum of the terms that the route leaves out, in the transformations at the start and at t and in the
-   mean motion. In the mean motion an error of ln J at the start causes an error of the phase that grows with the phase;
-   J is the quantity of oscillators/van_der_pol_expansion.h. The effects of fast changes of the mass and of rounding
-   errors are added. The estimates contain a factor of 2, which fits the errors that tests/test_van_der_pol_law.c
-   finds. */
+   mean motion. An error of ln J at the start causes an error of the mean phase that grows with the phase; J is the
+   quantity of oscillators/van_der_pol_expansion.h. The effects of fast changes of the mass and of rounding errors are
+   added. The estimates contain a factor of 2, which fits the errors that tests/test_van_der_pol_law.c finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -18130,7 +18204,7 @@ VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean
 }
 
 /* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
-   with an estimate of the error. For order 1 the estimate is the one for order 2 plus the difference between the
+   with an estimate of the error. For order 1 the estimate is the estimate for order 2, plus the difference between the
    motions by order 1 and by order 2. */
 VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
 {
@@ -18175,10 +18249,11 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
    t is in seconds, of either sign. `route` is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law of order three is not valid. The last two of these routes
-   integrate numerically and keep this error within the tolerance, where 0 means 1e-6 (float 1e-3); the first three do
-   not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration
-   is larger than the tolerance. After an error *motion is unchanged. The errors are
+   velocity at the amplitude A. This estimate is infinite where the law of order three is not valid. The last two of
+   these routes integrate numerically and keep this error within the tolerance; a tolerance of 0 means 1e-6 (float
+   1e-3). The first three routes do not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
+   computed but the error of integration is larger than the tolerance. After an error *motion is unchanged. The errors
+   are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of these five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the first three routes where the amplitude becomes
        infinite before t,
@@ -18257,8 +18332,8 @@ VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, 
 typedef struct VM_TAG(vm_vdp_cycle) {
     vm_real largest_x; /* the largest position, m */
     vm_real period;    /* s */
-    vm_real epsilon;   /* the number feed/(m W), in powers of which largest_x and period are expanded; W is the rate of
-                          the phase */
+    vm_real epsilon;   /* the number feed/(m W), where W is the rate of the phase; largest_x and period are series in
+                          powers of epsilon */
     int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
 } vm_vdp_cycle;
 
@@ -18328,12 +18403,13 @@ VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 #endif
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
-   A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), and F_e(rho)
-   the shaft's elastic force at the deflection rho = |z|. A circular motion of the centre is called a whirl; forward
-   whirl has a positive angular velocity, backward whirl a negative one. The stiffness K_e(rho) is the quotient
-   F_e(rho)/rho; the dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic
-   constant of the remark after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive
-   force m' (u - z') that acts on the disc. F_z is an external force. The equation of motion is
+   Numbers such as (451) are equations of the dissertation [1]. A disc of mass m(t) turns in the middle of a shaft
+   without mass. z = x + i y is the position of the disc's centre (451), and F_e(rho) the elastic force of the shaft at
+   the deflection rho = |z|. A circular motion of the centre is called a whirl; forward whirl has a positive angular
+   velocity, backward whirl a negative one. The stiffness K_e(rho) is the quotient F_e(rho)/rho. The dissertation writes
+   F_e'(rho) for this quotient, although it is no derivative. g is the gyroscopic constant of the remark after (516).
+   Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z') that acts on the
+   disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
    This file has the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations
    for nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
@@ -18410,9 +18486,9 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about its axis, with the part of the gyroscopic force, kg m^2/s. It is m Im(conj(z) z') -
-   g |z|^2, where conj(z) = x - i y and -g |z|^2 is the part of the gyroscopic force. It stays constant where r = 1, u =
-   0 and F_z = 0. The argument v is z'. Returns NaN for a null pointer. */
+/* Angular momentum of a rotor about its axis, kg m^2/s: m Im(conj(z) z') - g |z|^2, where conj(z) = x - i y. The term
+   -g |z|^2 is due to the gyroscopic force. The sum stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'.
+   Returns NaN for a null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
@@ -18558,10 +18634,11 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
 }
 
 /* Writes the exact rates P' and N' (470)-(473) of the whirls to *dP and *dN. At the fast phase phi the disc is at z = P
-   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N in y. With the force per mass f, they are
+   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N in y. With the force f per unit mass, the
+   rates are
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
      m f = F_z + r m' u + 2 i g z' - (K_e(|z|) - K_e(0)) z - (r - 1/2) m' z'
-   The last term has r - 1/2 in place of r, because the change of omega contributes m' z'/2. */
+   The last term has r - 1/2 in place of r, because the change of omega adds the term m' z'/2. */
 VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y,
                                vm_real phi, vm_complex *dP, vm_complex *dN)
 {
@@ -18608,7 +18685,7 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 }
 
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
-   vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
+   vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force. They are useful only where
    the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
    the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
    VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
@@ -18621,9 +18698,9 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 
 /* Averaged equations of forward and backward whirl, for rk45 or rk87. They are the equations of vm_jeffcott_exact_rhs,
    averaged over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and
-   psi2 of the two whirls separately, (474)-(477). Such separate averages are wrong unless the force turns with z, since
-   both whirls have the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) -
-   K_e(0) or m'), up to times of the order of the inverse of this perturbation. State and statuses are those of
+   psi2 of the two whirls separately, (474)-(477). Because both whirls have the same frequency, such separate averages
+   are right only if the force turns with z. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho)
+   - K_e(0) or m'), up to times of the order of the inverse of this perturbation. State and statuses are those of
    vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -18635,8 +18712,9 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* The frequency of circular whirl W = (g +- S)/m, where S = sqrt(g^2 + m K_e) and + is for forward whirl (sense >= 0).
-   The arguments are g (gyro), m (mass) and K_e (stiffness). The code subtracts no nearly equal numbers. */
+/* The frequency W = (g +- S)/m of circular whirl, where S = sqrt(g^2 + m K_e), and + is for forward whirl (sense >= 0).
+   The arguments are g (gyro), m (mass) and K_e (stiffness). No digits cancel, because nearly equal numbers are never
+   subtracted. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
@@ -18662,9 +18740,8 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
 }
 
 /* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is
-   multiplied by e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins
-   at the angle psi. The real part of the mean is the radial load, the imaginary part the tangential load. `rate` is
-   m'. */
+   multiplied by e^(-i angle), where `angle` is the angle of z, and averaged over one turn that begins at the angle psi.
+   The real part of the mean is the radial load, the imaginary part the tangential load. `rate` is m'. */
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
@@ -18711,9 +18788,9 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
    velocity u or the mass rate m'), up to times of the order of the inverse of this load. Where K_e is not constant, the
    error of A causes an error of the phase psi that grows with time. For loads that turn with z, that is loads at a
-   fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads it is of order
-   1. The equations are not valid for a linear F_e with loads that do not turn with z, since with these loads the disc
-   does not stay on a circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
+   fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads the error of psi
+   is of order 1. If F_e is linear and the loads do not turn with z, the disc does not stay on a circle, and the
+   equations are not valid. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
    VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if
    g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes`
    phases. */
@@ -18752,15 +18829,16 @@ VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
     return 4 * x + vmi_log(ratio).hi;
 }
 
-/* An interval [a, b] of x = ln(A/first_A), with the values of vmi_jeffcott_invariant at its ends, which have opposite
+/* An interval [a, b] of x = ln(A/first_A). The values at_a and at_b of vmi_jeffcott_invariant at its ends have opposite
    signs */
 typedef struct VM_TAG(vmi_jeffcott_bracket) {
     vm_real a, b, at_a, at_b;
 } vmi_jeffcott_bracket;
 
-/* Searches from x = 0, where vmi_jeffcott_invariant is b->at_a, until the sign of this function changes, with steps
-   that double. A step to an x where the function is NaN is halved, and from then on steps no longer double. Returns 1
-   where a change of sign is found, and 0 where halved steps still lead to NaN. */
+/* Searches for a change of sign of vmi_jeffcott_invariant. The search starts at x = 0, where the value of this function
+   is b->at_a, and each step is twice as long as the step before it. A step to an x where the function is NaN is halved,
+   and from then on the steps do not grow. Returns 1 where a change of sign is found, and 0 where halved steps still
+   lead to NaN. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
     vm_real step = VM_C(0.0625); /* changes the radius by 6 % */
@@ -18789,9 +18867,10 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
-   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then
-   vm_jeffcott_whirl_amplitude finds the radius by integration); where no radius is found on the way from first_A; for
-   null pointers; for a rotor without stiffness; and for a radius or masses that are not positive and finite. */
+   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then use
+   vm_jeffcott_whirl_amplitude, which finds the radius by integration); where no radius is found on the way from
+   first_A; for a null pointer; for a rotor without stiffness; and for a radius or masses that are not positive and
+   finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -18818,13 +18897,14 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
 #endif
 /* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor from its amplitude law and its phase
 
-   In a circular whirl the centre of the disc moves on a circle: z = A e^(i psi) (497), with the velocity z' = i W z
-   (498). Its phase psi is the integral of its frequency W over time (499). Without an external force, and without a
-   velocity u of the mass that joins or leaves, the radius A depends on the mass alone. Then W is a known function of
-   time. The integral has a closed form if the shaft has a power law and there are no gyroscopic moments. On a linear
-   shaft every motion is the sum of a forward and a backward whirl. The functions of this file generalize (481), (482)
-   to any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the struct
-   vm_jeffcott; g and r are its fields gyro and reactive. The shortest useful call:
+   Numbers in brackets are equations of the dissertation. In a circular whirl the centre of the disc moves on a circle:
+   z = A e^(i psi) (497), with the velocity z' = i W z (498). The phase psi is the integral of the frequency W over time
+   (499). Without an external force, and without a velocity u of the mass that joins or leaves, the radius A depends on
+   the mass alone. Then W is a known function of time. The integral has a closed form if the force of the shaft is a
+   power law, the law of the mass has an exponential form (oscillators/laws.h), and there are no gyroscopic moments. On
+   a linear shaft every motion is the sum of a forward and a backward whirl. The functions of this file generalize
+   (481), (482) to any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the
+   struct vm_jeffcott; g and r are its fields gyro and reactive. The shortest useful call:
        vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
        vm_jeffcott_whirl whirl;
        vm_jeffcott rotor;
@@ -18881,9 +18961,9 @@ VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, v
    For g = 0 or r = 1 the result is that of vm_jeffcott_amplitude. For other rotors the relative growth of A^2 S,
    where S = m W - g, is (1 - r) (1 + g/S) times the relative change of the mass. The function integrates this relation
    over the mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was
-   mass0; `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
-   vm_jeffcott_amplitude returns NaN, but not because of g != 0 with r != 1. Also returns NaN where g^2 + m K_e(A) is
-   not positive for a mass between mass0 and `mass`. */
+   mass0; `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN in the
+   cases of vm_jeffcott_amplitude, except for g != 0 with r != 1, which is allowed here. Also returns NaN where g^2 + m
+   K_e(A) is not positive for a mass m between mass0 and `mass`. */
 VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass,
                                            int sense)
 {
@@ -18916,8 +18996,8 @@ typedef struct VM_TAG(vmi_jeffcott_phase) {
     int sense;
 } vmi_jeffcott_phase;
 
-/* Writes the radius and the frequency of the whirl when the disc has the given mass. Returns VM_BAD_STIFFNESS where no
-   circular whirl exists for this mass. */
+/* Writes the radius A and the frequency W of the whirl at the time when the disc has the given mass. Returns
+   VM_BAD_STIFFNESS where no circular whirl exists for this mass. */
 VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass, vm_real *A, vm_real *W)
 {
     *A = vm_jeffcott_whirl_amplitude(p->r, p->first_A, p->mass0, mass, p->sense);
@@ -18992,11 +19072,11 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
    exponential or a power; its relative error is then at most 8 eps. Otherwise the time is divided into parts, and
    Gauss' rule integrates the frequency over each part from 20 points; the radius is computed at each point. For a
-   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The velocity is computed as
-   i W z, where W is the frequency of the whirl; the small radial velocity is neglected. Returns VM_BAD_ARGUMENT for
-   null pointers and a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN;
-   VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a
-   radius that is not positive or t outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
+   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The small radial velocity is
+   neglected: the velocity is i W z, where W is the frequency of the whirl. Returns VM_BAD_ARGUMENT for null pointers
+   and a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass
+   that is not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a radius that is not positive
+   or t outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -19103,7 +19183,7 @@ VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_
 typedef struct VM_TAG(vm_pair) {
     vm_real alpha;    /* exponent of the spring, >= 0 */
     vm_real k;        /* stiffness, N/m^alpha, > 0 */
-    vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where this mass has the body's velocity */
     vm_law mass;      /* mass m(t) of each body, kg, > 0; it must vary slowly */
 } vm_pair;
 
@@ -19321,14 +19401,15 @@ VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_r
 #endif
 /* oscillators/coupled_pair.h - two bodies of different, variable masses with nonlinear connections
 
-   This generalizes the pair (517), (518) to two masses m1(t) and m2(t), each with its own law, any number of springs
-   and a damper between the bodies, and further forces f1, f2. With p = y - x and S(p), the sum of k p|p|^(alpha-1) over
-   all springs, the equations are
+   This file generalizes the pair of bodies (517), (518) of the dissertation. The masses m1(t) and m2(t) have laws of
+   their own. Any number of springs and a damper join the bodies, and further forces f1, f2 may act. x and y are the
+   positions of the bodies, p is y - x, and S(p) is the sum of k p|p|^(alpha-1) over all springs. The equations are
        m1 x'' =  S(p) + b p' - r m1' x' + f1,   m2 y'' = -S(p) - b p' - r m2' y' + f2
    b is the damping of the connection, r the share of the reactive force that acts. In the relative coordinate p, with
-   the reduced mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
+   the reduced mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, the two equations become one, exactly
+   and for all laws:
        mu p'' + S(p) + (r mu' + b) p' = -r mu (m2'/m2 - m1'/m1) V + mu (f2/m2 - f1/m1)
-   This is the equation of one oscillator, so that the methods of oscillators/routes.h can compute its motion.
+   It is the equation of one oscillator, so that the methods of oscillators/routes.h can compute p(t).
 
        vm_connection springs[2] = {{100, 1}, {2000, 3}}; // 100 N/m p + 2000 N/m^3 p^3
        vm_coupled_pair pair;
@@ -19344,15 +19425,16 @@ VM_API int vm_pair_by_method(const vm_pair *p, int method, vm_real t, const vm_r
 #ifndef VARMASS_OSCILLATORS_COUPLED_PAIR_H
 #define VARMASS_OSCILLATORS_COUPLED_PAIR_H
 
-/* A spring between two bodies: it pulls with the force k p|p|^(alpha-1), N. p is the distance of the bodies minus the
-   length of the spring at rest. */
+/* A spring between two bodies, which pulls with the force k p|p|^(alpha-1), N. p is the distance of the bodies minus
+   the length of the spring without load. */
 typedef struct VM_TAG(vm_connection) {
     vm_real k;     /* stiffness, N/m^alpha, > 0 */
     vm_real alpha; /* exponent, >= 0 */
 } vm_connection;
 
-/* A user's function for further forces: y = (x, y, x', y'). It adds the forces on the bodies, N, to force[0] and
-   force[1], and returns 0 to go on; any other number ends the run. */
+/* A user's function for further forces. The array y contains the positions and velocities (x, y, x', y') of the bodies.
+   The function adds the forces on the bodies, N, to force[0] and force[1]. It returns 0 to go on, or any other number
+   to end the run. */
 typedef int (*vm_pair_force)(vm_real t, const vm_real *y, vm_real *force, void *ctx);
 
 /* Two bodies, the connections between them, and further forces */
@@ -19392,11 +19474,11 @@ VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses 
 }
 
 /* Equations of motion of two bodies with different masses and several connections, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for
-   a negative number of connections, and for a mass law that no constructor made; VM_NOT_FINITE for a number that is
-   infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS for a stiffness that is not positive;
-   VM_DOMAIN for an exponent < 0 and for t outside a table. If the function `force` returns a number other than 0,
-   returns this number. These statuses stop the run. */
+   The array y contains the positions (m) and velocities (m/s) of the bodies, (x, y, x', y'). pair points to a
+   vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for a negative number of connections, and for a mass law
+   that no constructor made; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not
+   positive; VM_BAD_STIFFNESS for a stiffness that is not positive; VM_DOMAIN for an exponent < 0 and for t outside a
+   table. If the function `force` returns a number other than 0, returns this number. These statuses stop the run. */
 VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -19485,11 +19567,11 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 
 /* Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection. The
    functions of oscillators/routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive
-   *problem. The equation of the oscillator is exact. If `reactive` is 1, if the mass centre moves, and if m1'/m1
-   differs from m2'/m2, the small force -mu (m2'/m2 - m1'/m1) V also acts on the oscillator; mu is the reduced mass, V
-   the velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there
-   is not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then
-   the motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. */
+   *problem. The equation of the oscillator is exact. The small force -mu (m2'/m2 - m1'/m1) V also acts on the
+   oscillator if `reactive` is 1, the mass centre moves, and m1'/m1 differs from m2'/m2. mu is the reduced mass, V the
+   velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there is
+   not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then the
+   motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
@@ -19518,11 +19600,13 @@ VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, 
 #endif
 /* oscillators/forced.h - harmonic excitation of a strongly nonlinear oscillator
 
-   Chapter 8 of the dissertation leaves harmonic excitation to future work. Mass m, stiffness k, and the frequency nu
-   and amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
+   Chapter 8 of the dissertation leaves harmonic excitation to future work. In the equation of motion b is the damping,
+   and r (`reactive`) the share of the reactive force. The mass m, the stiffness k, and the frequency nu and amplitude F
+   of the force may vary slowly:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
-   This file has the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the
-   main resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
+   This file has the equation of motion, the exact equations of amplitude and phase, and averaged equations of amplitude
+   and phase near the main resonance. Steady vibrations, resonance curves and the passage through the resonance are in
+   resonance.h.
 
        vm_forced f;
        memset(&f, 0, sizeof f);
@@ -19544,9 +19628,9 @@ VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, 
 /* Number of harmonics of the Ateb functions ca and sa, of the orders 1, 3, 5, 7 and 9 */
 enum { VMI_FORCED_HARMONICS = 5 };
 
-/* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again after a
-   change of alpha. The other fields may change without a new call. The constructors of oscillators/laws.h make the
-   laws; vm_law_linear(value, 0) is a constant. */
+/* An oscillator under harmonic excitation. Fill the fields above `pi`, then call vm_forced_init. After a change of
+   alpha call vm_forced_init again; after a change of the other fields no new call is needed. The constructors of
+   oscillators/laws.h make the laws; vm_law_linear(value, 0) is a constant. */
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha;     /* exponent of the spring, >= 0 */
     vm_real damping;   /* damping b, kg/s; a positive b takes energy out */
@@ -19556,7 +19640,7 @@ typedef struct VM_TAG(vm_forced) {
     vm_law frequency;  /* frequency nu of the force, rad/s, > 0 */
     vm_law force;      /* amplitude F of the force, N, of either sign */
     vm_real pi;        /* Pi_alpha; vm_forced_init writes this field and those below */
-    vm_real Om1;       /* the constant of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
+    vm_real Om1;       /* the constant in the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
     vm_real G;         /* the factor Om1^2 c[0]/2 of F/m in the averaged equations */
     /* Fourier coefficients: ca is the sum of c[j] cos((2j+1) phi), sa the sum of s[j] sin((2j+1) phi). */
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
@@ -19695,8 +19779,8 @@ VM_API void vmi_forced_exact(const vm_forced *f, const vmi_forced_parameters *n,
 
 /* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
    The state is y = (A, psi, theta): the amplitude A and the Ateb phase psi of x = A ca(psi), and the phase theta of the
-   force. The equations neglect nothing, but are singular at A = 0. The argument forced and the statuses are those of
-   vm_forced_rhs. */
+   force. These equations neglect nothing, but they are singular at A = 0. The argument forced and the statuses are
+   those of vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -19762,9 +19846,9 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
 typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                        vm_real theta);
 
-/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A +
-   ripple(A) = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the amplitude of the
-   motion is smaller than its ripple. */
+/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A)
+   = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where A, the exact amplitude minus its
+   ripple, is not positive. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {
@@ -19779,8 +19863,8 @@ VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, 
     return VM_OK;
 }
 
-/* Writes the motion (x, x', theta) of the mean amplitude `mean` and the phase phi, rad. Returns VM_DOMAIN where the
-   mean amplitude is not positive or is smaller than its ripple. */
+/* Writes the motion (x, x', theta) of the mean amplitude `mean` and the phase phi, rad. Returns VM_DOMAIN where `mean`
+   is not positive or mean + ripple is negative. */
 VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                            const void *object, vm_real mean, vm_real phi, vm_real theta, vm_real *motion)
 {
@@ -19792,10 +19876,10 @@ VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, v
     return vmi_copy_if_finite(3, r, motion);
 }
 
-/* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude
-   without its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where
-   alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than its
-   ripple. y and motion may be the same array. */
+/* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude minus
+   its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where alpha is
+   not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the amplitude minus its ripple is not
+   positive. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -19814,7 +19898,7 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
 
 /* Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta). This is the inverse of
    vm_forced_to_averaged: it adds the ripple to the mean amplitude. The statuses are those of vm_forced_rhs; VM_DOMAIN
-   also means that A <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
+   also means that A <= 0 or that A plus its ripple is negative. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
@@ -19849,17 +19933,18 @@ typedef struct VM_TAG(vm_steady_state) {
     vm_real delta;      /* phase by which the vibration leads the force, rad, -pi < delta <= pi */
     vm_real trace, det; /* trace and determinant of the linearized equations: small deviations from the steady vibration
                            vary as e^(lambda t), where lambda^2 - trace lambda + det = 0 */
-    int stable;         /* 1 if the vibration is stable, which means det > 0 and trace < 0; else 0. It is a saddle if
-                           det < 0 */
+    int stable;         /* 1 if the vibration is stable, which means det > 0 and trace < 0; else 0. If det < 0, the
+                           vibration is a saddle */
 } vm_steady_state;
 
 /* The passage through the resonance, for the rates of mass, stiffness and frequency at one time */
 typedef struct VM_TAG(vm_passage) {
     vm_real A;              /* amplitude, m, whose natural frequency w(A) is the frequency nu of the force; for alpha =
                                1 the argument `amplitude` */
-    vm_real drift_ratio;    /* rate at which w - nu changes without the force, divided by the largest such rate that the
-                               force can balance. If it is below 1, the vibration may be captured, so that its amplitude
-                               follows A; if it is above 1, the vibration passes through the resonance */
+    vm_real drift_ratio;    /* rate at which w - nu changes without the force, divided by the largest rate of change
+                               that the force can balance. If the ratio is below 1, the vibration may be captured, so
+                               that its amplitude follows A; if the ratio is above 1, the vibration passes through the
+                               resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
     vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
                                than 1). The change depends on the phase at the start and may have either sign */
@@ -19931,8 +20016,9 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
 }
 
 /* The amplitudes of the steady vibrations for alpha != 1. Writes at most three amplitudes, in ascending order, and
-   returns how many there are. They are the zeros of vmi_resonance_excess, a function of x = ln A. This function is
-   monotonic below, between and above its extrema, so each of these intervals contains at most one zero. */
+   returns how many there are. The amplitudes are the zeros of vmi_resonance_excess, a function of x = ln A. Between two
+   neighbouring extrema, and outside the extrema, this function only rises or only falls. Therefore each of these
+   intervals contains at most one zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
     const vm_real steep = vmi_larger(VM_FABS(z->exponent), 1);
@@ -19957,8 +20043,8 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
    how many there are, 0 where the force is 0, or a negative status. In the tests the relative error of amplitudes,
    compared with solutions of the averaged equations, is at most 3e-14 (float 3e-5). To get the response at several
    frequencies nu of the force, call the function for each nu. The averaged equations are valid only near the resonance,
-   where the natural frequency w(A) is about nu; far from it a solution may differ from every real motion. The negative
-   statuses are those of vm_forced_rhs. */
+   where the natural frequency w(A) is about nu; far from the resonance a solution may differ from every real motion.
+   The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -19981,10 +20067,10 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 }
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: points of the amplitude-frequency curve. Writes
-   at most two vibrations to curve, the lower frequency first. They lie on both sides of the backbone, the curve nu =
-   w(A) with the natural frequency w. Returns how many there are, 0 where the force is too small for the amplitude A, or
-   a negative status: a status of vm_forced_rhs, where VM_DOMAIN also means that A is not positive. Results that
-   overflow are NaN. */
+   at most two vibrations to curve, the lower frequency first. The two vibrations lie on both sides of the backbone, the
+   curve nu = w(A) with the natural frequency w. Returns how many there are, 0 where the force is too small for the
+   amplitude A, or a negative status. The negative statuses are those of vm_forced_rhs; VM_DOMAIN also means that A is
+   not positive. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -20024,15 +20110,15 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance: tells whether slow changes of mass, stiffness and frequency, with their rates at time
-   t, let the vibration pass through the resonance or capture it. The argument `amplitude`, m, is used for alpha = 1
-   only, where the natural frequency w is the same for all amplitudes. Let nu be the frequency of the force, and delta
-   the phase by which the vibration leads the force. Near w(A) = nu the averaged equations give delta'' = -(gamma
-   push/A) sin(delta) - nu D, which is the equation of a pendulum under a torque. Here gamma = (alpha - 1)/2, push is
-   the field of vmi_resonance (a force per mass), and D is the rate at which ln(w/nu) would fall without the force. The
-   field drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum can balance.
-   Returns the statuses of vm_forced_rhs, where VM_DOMAIN also means that the force is 0 or that the amplitude is not
-   positive and finite. An error leaves *passage as it was. */
+/* Passage through the resonance: tells whether the vibration passes through the resonance or is captured by it, while
+   mass, stiffness and frequency change slowly with the rates that they have at time t. The argument `amplitude`, m, is
+   used for alpha = 1 only, where the natural frequency w is the same for all amplitudes. Let nu be the frequency of the
+   force, and delta the phase by which the vibration leads the force. Near w(A) = nu the averaged equations give delta''
+   = -(gamma push/A) sin(delta) - nu D, which is the equation of a pendulum under a torque. Here gamma = (alpha - 1)/2,
+   push is the field of vmi_resonance (a force per mass), and D is the rate at which ln(w/nu) would fall without the
+   force. The field drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum can
+   balance. Returns the statuses of vm_forced_rhs; VM_DOMAIN also means that the force is 0, or that the amplitude is
+   not positive and finite. An error leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;
@@ -20081,16 +20167,17 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
    `periods` are P and Q. Near the resonance the frequency w(A) of the free vibration of amplitude A is about (P/Q) nu.
    P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance with the third harmonic of the force. P = 1, Q = 3 is
    a subharmonic resonance with a third of the frequency of the force, which exists where alpha is not 1. The vibration
-   has odd harmonics only. Therefore the averaged equations contain no force if Q is even after common factors of P and
-   Q have been removed.
+   has odd harmonics only. Harmonic j of the vibration is in resonance with harmonic n = j P/Q of the force, if this n
+   is a whole number. If Q is even after common factors of P and Q have been removed, n is not a whole number for any
+   odd j. Then the averaged equations contain no force.
 
    The averaged equations use the phase phi of the vibration and delta = phi - (P/Q) theta. q is the rate at which slow
    changes and damping act (slow.h), and G_j is explained below:
        A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
-       S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
-   over the odd j for which n = j P/Q is a whole number. G_j is Om1^2 c_j/2, where Om1 is the field of vm_forced and c_j
-   the Fourier coefficient of cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 these terms are below 1e-7
-   of the first term. Tests: tests/test_periodic.c. */
+       S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)).
+   The sums are over the odd j for which n = j P/Q is a whole number. G_j is Om1^2 c_j/2, where Om1 is the field of
+   vm_forced and c_j the Fourier coefficient of cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 these
+   terms are below 1e-7 of the first term. Tests: tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
 
@@ -20135,9 +20222,9 @@ VM_API int vm_periodic_init(vm_periodic *p)
 }
 
 /* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes only the fields cosine
-   and sine of *p. The coefficients of all harmonics up to the ninth whose order is below n/2 are computed; all other
-   coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. g may
-   have any shape, such as a rectangular wave. Its harmonics above the ninth are left out, since they excite the
+   and sine of *p. The function computes the coefficients of those harmonics up to the ninth whose order is below n/2.
+   All other coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. g
+   may have any shape, such as a rectangular wave. Its harmonics above the ninth are left out, since they excite the
    vibration only little. The function takes about as long as the computation of 9 n sines. Returns VM_BAD_ARGUMENT for
    a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise. An error leaves *p
    as it was. */
@@ -20277,8 +20364,8 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
    Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
    where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
-   coefficient of sin(j phi) in sa. The second quotient is left out for those j and n that are in resonance, since v
-   does not vary there. */
+   coefficient of sin(j phi) in sa. For a j and an n that are in resonance the second quotient is left out, since v does
+   not vary at the resonance. */
 VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                    vm_real theta)
 {
@@ -20308,7 +20395,7 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
 /* Converts a motion (x, x', theta) under a periodic force, near the resonance, to its mean y = (A, delta, theta) (see
    vm_periodic_averaged_rhs). A is the amplitude without its ripple within a period. Returns the statuses of
    vm_periodic_rhs. In addition it returns VM_NOT_FINITE where a number of the motion is infinite or NaN, and VM_DOMAIN
-   where the amplitude is smaller than its ripple. y and motion may be the same array. */
+   where the amplitude minus its ripple is not positive. y and motion may be the same array. */
 VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -20327,7 +20414,7 @@ VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_rea
 
 /* Converts the mean y = (A, delta, theta) under a periodic force to the motion (x, x', theta). This is the inverse of
    vm_periodic_to_averaged: it adds the ripple again. Returns the statuses of vm_periodic_rhs. In addition it returns
-   VM_NOT_FINITE where a number of y is infinite or NaN, and VM_DOMAIN where A <= 0 or A is smaller than its ripple.
+   VM_NOT_FINITE where a number of y is infinite or NaN, and VM_DOMAIN where A <= 0 or A plus its ripple is negative.
    motion and y may be the same array. */
 VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_real *y, vm_real *motion)
 {
@@ -20372,9 +20459,9 @@ VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm
     return sums;
 }
 
-/* The amplitude for which the averaged equations give A' = 0 if the sum has the value S. It follows from A w(A) = -S
-   F/(m p), where p is q/(alpha+3), F/m the force per mass, and w(A) the frequency of the free vibration. The result is
-   0 where there is no such amplitude. */
+/* The amplitude for which the averaged equations give A' = 0 if the sum has the value S. This amplitude A follows from
+   A w(A) = -S F/(m p), where p is q/(alpha+3), F/m the force per mass, and w(A) the frequency of the free vibration.
+   The result is 0 where there is no such amplitude. */
 VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 {
     const vm_real product = -z->push / z->p * S;
@@ -20382,9 +20469,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess, which is delta' of the averaged equations times the absolute value of the sum S. It is computed at a
-   phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0 are the
-   steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. */
+/* The excess, which is delta' of the averaged equations times the absolute value of the sum S. The excess is computed
+   at a phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0
+   are the steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -20424,9 +20511,9 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
    belongs to at most one amplitude and one frequency nu of the force, so that values of delta from -pi to pi give the
    whole curve. The field nu of *steady is this frequency; the frequency in the fields of the oscillator is not used.
    All other parameters are those at time t. Returns the statuses of vm_periodic_rhs. In addition it returns
-   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN where no steady vibration has this phase, or where q = 0 in
-   the averaged equations, as without damping and slow changes, so that the phase does not determine the amplitude. An
-   error leaves *steady as it was. */
+   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN in two cases: where no steady vibration has this phase, and
+   where q = 0 in the averaged equations. q is 0 if there is neither damping nor a slow change; then the phase does not
+   determine the amplitude. An error leaves *steady as it was. */
 VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
 {
     if (!p || !steady) return VM_BAD_ARGUMENT;
@@ -20458,11 +20545,12 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
 
 /* Steady vibrations under a periodic force, near the resonance, with their amplitudes, phases and stability. All
    parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
-   returns how many there are (this number may be larger than room), or a negative status. The function looks for
-   changes of sign between 360 phases, so that it may miss two vibrations whose phases differ by less than a degree;
-   such vibrations lie next to a fold of the resonance curve. The function takes about as long as the computation of
-   4000 sines. The negative statuses are those of vm_periodic_rhs, VM_BAD_ARGUMENT also for room < 0, and VM_DOMAIN also
-   for q = 0, which the comment of vm_periodic_curve explains. */
+   returns how many there are (this number may be larger than room), or a negative status. The function computes at 360
+   phases, one degree apart, a function of the phase that is 0 for a steady vibration, and looks for its changes of
+   sign. It may therefore miss two vibrations whose phases differ by less than a degree; such vibrations lie next to a
+   fold of the resonance curve. The function takes about as long as the computation of 4000 sines. The negative statuses
+   are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0,
+   which the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
@@ -20503,8 +20591,8 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
 
    Each of two bodies is on a spring of its own, which is fixed to the ground. A weak spring kappa and a weak damper c
    join the bodies. Averaged equations exist for this system of two degrees of freedom, because without the coupling
-   each body vibrates as an oscillator of one degree of freedom. With i = 0 or 1 for a body, and o for the other one,
-   the equations of motion are
+   each body vibrates as an oscillator of one degree of freedom. The index i is 0 or 1 for one body, and o = 1 - i is
+   the index of the other body. The equations of motion are
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
    m_i is the mass of body i, k_i the stiffness of its spring, b_i its damping, and r_i the share of the reactive force.
    m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and phases,
@@ -20521,29 +20609,29 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
        int status = vm_grounded_pair_init(&p);
 
    The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians.
-   The averaged equations have the symbols of oscillators/forced.h. V = 2 Om A/(alpha+1) is the largest velocity of a
-   vibration, <ca^2> the mean of ca^2 over a period, and q_i the rate q of vmi_forced_q with the damping b_i + c. The
+   oscillators/forced.h explains the symbols of the averaged equations. V = 2 Om A/(alpha+1) is the largest velocity of
+   a vibration, <ca^2> the mean of ca^2 over a period, and q_i the rate q of vmi_forced_q with the damping b_i + c. The
    equations are
        A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
        phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
        S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
        C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o.
    The sums are over those odd j and n up to 9 for which u varies slowly. These are the j and n with j P_i = n P_o,
-   where the frequencies of the two bodies are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of
-   body i, c_n and s_n those of body o. Where the frequencies are in no such ratio, the sums are empty: each body then
-   vibrates on its own. Tests: tests/test_grounded_pair.c. */
+   where the frequencies of the two bodies have the ratio P_0 : P_1. c_j and s_j are the Fourier coefficients of ca and
+   sa of body i, and c_n and s_n those of body o. If the frequencies have no such ratio, the sums contain no terms, and
+   each body vibrates on its own. Tests: tests/test_grounded_pair.c. */
 #ifndef VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 #define VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 
-/* Two oscillators and the coupling between them. Set the fields above mean, then call vm_grounded_pair_init; call it
-   again after a change of alpha. */
+/* Two oscillators and the coupling between them. Set the fields above `mean`, then call vm_grounded_pair_init. After a
+   change of alpha call vm_grounded_pair_init again. */
 typedef struct VM_TAG(vm_grounded_pair) {
     vm_forced oscillator[2]; /* the oscillators: set their fields alpha, damping, reactive, mass and stiffness;
                                 vm_grounded_pair_init writes the other fields */
     vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be small */
     vm_real damper;          /* damping c of the coupling, kg/s; it must be small */
-    int vibrations[2];       /* P_0 and P_1, from 1 to 9: at the resonance the bodies make P_0 and P_1 vibrations in the
-                                same time. Set both to 0 where the frequencies are in no resonance */
+    int vibrations[2];       /* P_0 and P_1, from 1 to 9: at the resonance body 0 makes P_0 vibrations while body 1
+                                makes P_1 vibrations. Set both to 0 if there is no resonance */
     vm_real mean[2];         /* means of ca^2 over a period; vm_grounded_pair_init writes this field */
 } vm_grounded_pair;
 
@@ -20636,6 +20724,7 @@ typedef struct VM_TAG(vmi_grounded_body) {
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* turns[k] is e^(i k phi) with the imaginary unit i */
 } vmi_grounded_body;
 
+/* Sets b[0] and b[1] from the amplitudes A (m) and the phases phi of the two bodies at the instant *now */
 VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_now *now, const vm_real *A,
                                 const vm_real *phi, vmi_grounded_body *b)
 {
@@ -20669,15 +20758,15 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
         }
 }
 
-/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written at the top of this file. The
-   state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with vm_grounded_pair_to_averaged,
-   and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings, dampings and mass rates. Up to
-   times of the order of 1/e the error of the amplitudes is of the order of e. For alpha = 1 the error of the positions
-   is of this order, too. For other alpha the rates of the phases depend on the amplitudes, so that errors of the
-   amplitudes cause larger errors of the positions. In the tests the errors of the positions are at most 0.04 of the
-   amplitude for e = 0.005; with smaller e they are smaller, but not in proportion to e. The equations are singular
-   where an amplitude is 0: in this case integrate vm_grounded_pair_rhs. The argument pair and the statuses are those of
-   vm_grounded_pair_rhs. */
+/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. The equations are at the top of this file.
+   The state is y = (A_0, phi_0, A_1, phi_1): mean amplitudes (m) and phases (rad). Start with
+   vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
+   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e. For alpha
+   = 1 the error of the positions is of this order, too. For other alpha the rates of the phases depend on the
+   amplitudes, so that errors of the amplitudes cause larger errors of the positions. In the tests the errors of the
+   positions are at most 0.04 of the amplitude for e = 0.005. For smaller e these errors are smaller, but not in
+   proportion to e. The equations are singular where an amplitude is 0: in this case integrate vm_grounded_pair_rhs. The
+   argument pair and the statuses are those of vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -20701,7 +20790,8 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
     return VM_OK;
 }
 
-/* The ripple of the amplitude of the body i, which is the exact amplitude minus the mean one. It has the parts
+/* The ripple of the amplitude of body i, which is the exact amplitude minus the mean amplitude. The ripple has three
+   parts:
      q A/((alpha+3) Om) sa ca                               by the slow changes and the dampings,
      -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
@@ -20733,10 +20823,10 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
 }
 
 /* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1,
-   phi_1). The amplitudes are those without their ripple within a period. The statuses are those of
+   phi_1). A_0 and A_1 are the amplitudes minus their ripple within a period. The statuses are those of
    vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN. VM_DOMAIN also means that a body
-   is at rest or its motion is smaller than its ripple, or that the frequencies are in a resonance that the field
-   `vibrations` does not give. y and motion may be the same array. */
+   is at rest, that an amplitude minus its ripple is not positive, or that the frequencies are in a resonance that the
+   field `vibrations` does not give. y and motion may be the same array. */
 VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -20768,7 +20858,7 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
 /* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
    x_1'). This is the inverse of vm_grounded_pair_to_averaged: it adds the ripples to the mean amplitudes. The statuses
    are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN also means that
-   an amplitude is not positive or is smaller than its ripple. motion and y may be the same array. */
+   an amplitude is not positive or that an amplitude plus its ripple is negative. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;
@@ -20797,10 +20887,10 @@ VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, 
 #endif
 /* oscillators/diagnostics.h - turning points and zeros of any motion, envelopes, how slow changes are
 
-   The motion is given as a trajectory x(t), v(t). It may come from a method of oscillators/routes.h, from a closed form
-   or from an integrator's dense output, that is its solution between the ends of a step. At the turning points of the
-   trajectory its amplitude is compared with an amplitude law. The zero crossings give the largest velocities and the
-   periods.
+   The motion is given as a trajectory x(t), v(t). The trajectory may come from a method of oscillators/routes.h, from a
+   closed form, or from the dense output of an integrator, which is its solution between the ends of a step. The |x| at
+   the turning points of the trajectory is compared with an amplitude law. The zero crossings give the largest
+   velocities and the periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -20809,7 +20899,7 @@ VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, 
 #ifndef VARMASS_OSCILLATORS_DIAGNOSTICS_H
 #define VARMASS_OSCILLATORS_DIAGNOSTICS_H
 
-/* A user's trajectory: writes position x and velocity v at time t. ctx is the user's pointer. */
+/* A user's function for a trajectory, which writes position x and velocity v at time t. ctx is the user's pointer. */
 typedef void (*vm_motion_function)(vm_real t, vm_real *x, vm_real *v, void *ctx);
 
 /* A point of a trajectory: time, position and velocity, in the units of the trajectory */
@@ -20823,8 +20913,8 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Returns 1 if a search is possible, else 0. It is possible if the kind of point exists, if `room` is not negative, and
-   if for room > 0 samples is not null. */
+/* Returns 1 if a search is possible, else 0. A search is possible if the kind of point exists, if `room` is not
+   negative, and if `samples` is not null where `room` is positive. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
@@ -20850,12 +20940,13 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 }
 
 /* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
-   trajectory is evaluated at equal intervals of at most |step|; where v (for turning points) or x (for zero crossings)
-   changes its sign, the point is located within 4 eps of its time. step should be a small part of a period; it is
-   negative where t1 < t0. The first `room` points are written to samples, in the order in which they are found. Returns
-   the number of points, which may be more than room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an
-   unknown kind or a negative room; VM_NOT_FINITE for a step that is 0, infinite or of the wrong sign, for more than 2e9
-   steps, and where the trajectory is not finite. Points that were found before the error stay in samples. */
+   function evaluates the trajectory at equal intervals of at most |step|. Where v (for turning points) or x (for zero
+   crossings) changes its sign, the time of the point is found within 4 eps. step should be a small part of a period;
+   step must be negative where t1 < t0. The first `room` points are written to samples, in the order in which they are
+   found. Returns the number of points, which may be more than room, or a negative status. The statuses are
+   VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room; VM_NOT_FINITE for a step that is 0, infinite
+   or of the wrong sign, for more than 2e9 steps, and where the trajectory is not finite. Points that were found before
+   the error stay in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -20932,9 +21023,9 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
 }
 
 /* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples. The observed value is |x| for
-   VM_TURNING_POINTS and |v| for VM_ZERO_CROSSINGS. The user's function law returns the amplitude or the largest
-   velocity at time t; ctx is its last argument. Returns 0 for n = 0. Returns NaN for null pointers, for an unknown
-   kind, for n < 0, and where the function law returns NaN or a sample is infinite or NaN. */
+   VM_TURNING_POINTS and |v| for VM_ZERO_CROSSINGS. The user's function `law` returns the amplitude or the largest
+   velocity at time t; ctx is the last argument of this function. Returns 0 for n = 0. Returns NaN for null pointers,
+   for an unknown kind, for n < 0, and where the function `law` returns NaN or a sample is infinite or NaN. */
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
@@ -20951,7 +21042,7 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_
     return worst;
 }
 
-/* Adiabaticity q/Om of an oscillator at time t and amplitude A, the small parameter of averaging.
+/* Adiabaticity q/Om of an oscillator at time t and amplitude A. This quotient is the small parameter of averaging.
    q = ((2r-1) m' + 2 b)/m + k'/k is the rate at which mass, damping and stiffness change the motion, with r = reactive,
    b = damping, mass m and stiffness k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses
    only alpha, mass, stiffness, reactive and damping of the problem. For a motion that starts at rest, errors of

@@ -65,11 +65,11 @@ done 3<$folder/parts
 
 This page is written by `make campaigns` (bench/campaigns.sh).
 
-A campaign is a check that takes too long for `make test-all`. The table
-has the campaigns, what each of them printed at its end, and the headers with which it ran. Headers are identified by
-stamps, which are hashes of their code (bench/stamp.sh). If the stamps of a row are not those of today's headers, the
-campaign ran with earlier headers. [reliability.md](reliability.md) says what the campaigns found. `make campaigns` runs
-all campaigns; `make campaigns CAMPAIGNS="scan proof"` runs only the campaigns scan and proof.
+A campaign is a check that takes too long for `make test-all`. For each campaign, the table says what it shows, with which
+headers it ran, and what it printed at its end. A header is identified by a stamp, which is a hash of the code of the
+header (bench/stamp.sh). If the stamps of a row are not those of today's headers, the campaign ran with earlier headers.
+[reliability.md](reliability.md) says what the campaigns found. The command `make campaigns` runs all campaigns. The
+command `make campaigns CAMPAIGNS="scan proof"` runs only the campaigns scan and proof.
 
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|

@@ -73,10 +73,10 @@ compiler=$($CC --version) || fail "the compiler $CC does not say its version"
     echo '# Instructions of a call'
     echo
     echo "This page is written by \`make bench-count\`, on $(uname -m) with $(echo "$compiler" | head -n 1), $FLAGS."
-    echo 'The program callgrind counts the instructions that a call executes. The counts are the same in every run; each is the mean'
-    echo 'over 200 calls. Some names have an addition, such as _4_3 for alpha = 4/3 or _to_1e_3 for a tolerance of 1e-3;'
-    echo 'bench/count.c has all calls and their arguments. For integrators, a call is one'
-    echo "step of x'' = -x^3."
+    echo 'The program callgrind counts the instructions that a call executes. The counts are the same in every run; each count is'
+    echo 'the mean of 200 calls. Some names have an addition, such as _4_3 for alpha = 4/3 or _to_1e_3 for a tolerance of 1e-3;'
+    echo 'bench/count.c has all calls and their arguments. In the rows of integrators, a call is one step of a motion with the'
+    echo "equation x'' = -x^3."
     echo
     echo '| function | double | float |'
     echo '|---|---|---|'

@@ -4,23 +4,23 @@
 # usage: goals.sh FOLDER COUNTS, FOLDER with the CSV files of the programs
 folder=$1 counts=$2
 # what @ program @ job @ route @ at most so many sin (float: sinf) @ its line in docs/counts.md @ reason where it takes longer
-rows='sn, cn, dn to 2K @ jacobi @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ K comes from a table, a root and a division; only then can the theta functions of u - j K begin
-sn, cn, dn to 2K @ jacobi @ sncndn; |u| < 2K; 0.5 < m < 1 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ above m = 0.97, K needs a logarithm, and the theta functions need an exponential far from 0
+rows='sn, cn, dn to 2K @ jacobi @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ K comes from a table, a root and a division; only then can u be reduced to u - j K (j is an integer), and the theta functions need this argument
+sn, cn, dn to 2K @ jacobi @ sncndn; |u| < 2K; 0.5 < m < 1 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ above m = 0.97, K needs a logarithm, and theta functions of arguments far from 0 need an exponential
 sn, cn, dn to 2K @ jacobi @ sncndn; |u| < 2K; -30 < m < -1 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ for m below -1.25, K comes from the arithmetic-geometric mean
 sn, cn, dn to 1e9 @ jacobi @ sncndn; |u| < 1e9; 0 < m < 0.5 @ jacobi_sncndn @ 10 @  @ for abs(u) above 2^20, K must have twice the digits; it comes from the arithmetic-geometric mean, whose steps wait for each other
-sn, cn, dn to 1e9 @ jacobi @ sncndn; |u| < 1e9; 0.5 < m < 1 @ jacobi_sncndn @ 10 @  @ as for 0 < m < 0.5; and the theta functions need an exponential far from 0
+sn, cn, dn to 1e9 @ jacobi @ sncndn; |u| < 1e9; 0.5 < m < 1 @ jacobi_sncndn @ 10 @  @ the same reason as for 0 < m < 0.5; in addition, theta functions of arguments far from 0 need an exponential
 sn, cn, dn prepared @ jacobi @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ two polynomials of degree 10, and a division at the end
-sn, cn, dn prepared, m near 1 @ jacobi @ sncndn; |u| < 2K; m = 0.99 @ jacobi_plan_sncndn @ 3 @  @ far from 0 the theta functions need sinh and cosh, which wait for the reduction of the phase
+sn, cn, dn prepared, m near 1 @ jacobi @ sncndn; |u| < 2K; m = 0.99 @ jacobi_plan_sncndn @ 3 @  @ theta functions of arguments far from 0 need sinh and cosh, which wait for the reduction of the phase
 sa, ca @ ateb @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ Pi_alpha, the powers and the inversion are computed anew for each alpha
 sa, ca prepared, without a power @ ateb @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ the reduction of the phase, the power d^(alpha+1) and the polynomials wait for each other
-sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1.333 @ ateb_plan_saca @ 3 @ ateb_plan_saca_4_3 @ the power: its logarithm and exponential wait for the reduction, and the polynomials for both
+sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1.333 @ ateb_plan_saca @ 3 @ ateb_plan_saca_4_3 @ the power needs a logarithm and an exponential, which wait for the reduction of the phase; the polynomials wait for the power
 sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1000 @ ateb_plan_saca @ 3 @  @ the power, which needs a logarithm and an exponential
 arrays, -O3 -march=native @ jacobi_wide @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn_array @ 0.5 @ jacobi_plan_sncndn_array @ a vector holds few numbers, and each needs the reduction and a division
 arrays, -O3 -march=native @ ateb_wide @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca_array @ 0.5 @  @ both ranges of s are computed for each s, since a vector cannot branch
-sn, cn, dn in float @ jacobi_float @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ sinf computes in double; the float code of the kit must not need double
-sn, cn, dn prepared, in float @ jacobi_float @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ sinf computes in double; the float code of the kit must not need double
-sa, ca in float @ ateb_float @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ sinf computes in double; the float code of the kit must not need double
-sa, ca prepared, in float @ ateb_float @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ sinf computes in double; the float code of the kit must not need double'
+sn, cn, dn in float @ jacobi_float @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ sinf is fast because it computes in double; the float code of the kit must not use double
+sn, cn, dn prepared, in float @ jacobi_float @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ sinf is fast because it computes in double; the float code of the kit must not use double
+sa, ca in float @ ateb_float @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ sinf is fast because it computes in double; the float code of the kit must not use double
+sa, ca prepared, in float @ ateb_float @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca @ 2 @ ateb_plan_saca_3 @ sinf is fast because it computes in double; the float code of the kit must not use double'
 echo '| what | of which | goal | measured | reached | in a chain | instructions, double; float | instructions divided by those of sin | reason, if not reached |'
 echo '|---|---|---|---|---|---|---|---|---|'
 for program in jacobi ateb jacobi_wide ateb_wide jacobi_float ateb_float; do

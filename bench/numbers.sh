@@ -248,9 +248,9 @@ mode=$1
 shift
 case $mode in
 table)
-    printf '# Measured numbers\n\nThis page is written by `make numbers` (bench/numbers.sh).\n\nThe table has the measured numbers that the README and the manuals show. In the text, a mark with the name stands after the number. A\n'
-    printf "time without a unit is a multiple of the time of one call of the C library's \`sin\`. The column \"from\" says where a value comes from:\n"
-    printf 'the document, and the table or the rows in it.\n\n'
+    printf '# Measured numbers\n\nThis page is written by `make numbers` (bench/numbers.sh).\n\nThe table has the measured numbers that the README and the manuals show. In these texts, a mark with the name of the number stands\n'
+    printf "after the number. A time without a unit is a multiple of the time of one call of the C library's \`sin\`. The column \"from\" says\n"
+    printf 'from which document a value comes, and from which table or rows of this document.\n\n'
     printf '| name | value | from |\n|---|---|---|\n'
     table
     ;;

@@ -1,15 +1,17 @@
 /* A band winds up on a drum (Fig. 20): the equations that the dissertation prints in chapter 5.2, compared with the
    right ones.
 
-   For a rigid shaft the program computes phi(t) by (197)-(206) and by integration of (194), for a drum that is driven
-   (e > 0), coasts (e = 0) or comes to rest (e < 0). For an elastic shaft it computes the motion of the mass centre by
-   the exact equations and by (191) as printed. It also computes the deflection as a function of the angle by (224), as
-   printed and corrected, and by integration of (211).
+   phi is the angle of the drum. For a rigid shaft the program computes phi(t) by (197)-(206) and by integration of
+   (194). The number e is mu v R - D, with the mass mu of the band per radian, its speed v, the radius R of the drum and
+   the damping D: the drum is driven for e > 0, coasts for e = 0 and comes to rest for e < 0. For an elastic shaft the
+   program computes the motion of the mass centre by the exact equations and by (191) as printed. The program also
+   computes the deflection as a function of the angle by (224), as printed and corrected, and by integration of (211).
 
    usage: drum [file.csv]
-   The file has three tables. Columns of the first: phi, then for each e phi'(phi), t(phi), and t(phi) by (199) as
-   printed; of the second: t, then x_S1, y_S1 exact and as printed; of the third: phi, then y by integration, by (224)
-   corrected, and by (224) as printed. */
+   The file has three tables. The first table has the columns phi, then for each e phi'(phi), t(phi), and t(phi) by
+   (199) as printed. The second table has the columns t, then the position x_S1, y_S1 of the mass centre, exact and as
+   printed. The third table has the columns phi, then the deflection y by integration, by (224) corrected, and by (224)
+   as printed. */
 #include <stdio.h>
 #include <string.h>
 #include "../varmass.h"

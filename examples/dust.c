@@ -1,13 +1,15 @@
 /* A spinning body gathers dust, which is the opposite of jet damping: dust that is at rest before it lands brings no
-   angular momentum, but the inertia of the body grows. In the first part dust settles on both ends of the body. The
-   spin falls as C0/C and the wobble as A0/A, where C and A are the axial and the transverse moment of inertia, and the
-   angle between the axis and the angular momentum stays constant; the program computes both by streams and by the
-   closed form. In the second part the body flies sideways through the dust, and only one end catches it: the dust
-   turns the body by the moment -SS2 x v M', which (168) and (169) have with the other sign.
+   angular momentum, but the inertia of the body grows. In the first part dust settles on both ends of the body. Let C
+   and A be the axial and the transverse moment of inertia, and C0 and A0 their values at the start. Then the spin falls
+   as C0/C and the wobble as A0/A, and the angle between the axis and the angular momentum stays constant. The program
+   computes spin and wobble by streams and by this closed form. In the second part the body flies sideways through the
+   dust, and only one end catches dust. The dust turns the body by the moment -SS2 x v M', where SS2 is the vector from
+   the mass centre to the dust that lands, v the velocity of the body and M' the rate of its mass. (168) and (169) of
+   the dissertation have this moment with the other sign.
 
    usage: dust [file.csv]
    The columns of the file are t (min), spin and wobble by streams, spin and wobble by the closed form, the kinetic
-   energy divided by its first value; then for the second body its angular velocity, corrected and as printed */
+   energy divided by its first value; then the angular velocity of the second body, corrected and as printed */
 #include <stdio.h>
 #include <string.h>
 #include "../varmass.h"

@@ -1,10 +1,10 @@
 /* A wing nut that spins about its middle axis turns over again and again (Dzhanibekov, 1985). The program compares the
-   closed form with rk45 at two tolerances. At first the angular velocity off this axis is 1e-5 of the spin. An
-   integrator changes this small number by its errors, and so shifts the times of all later turn-overs.
+   closed form with rk45 at two tolerances. At first the angular velocity off this axis is 1e-5 of the spin. The errors
+   of an integrator change this small number, which shifts the times of all later turn-overs.
 
    usage: dzhanibekov [file.csv]
    The columns of the file are t, omega_y by the closed form and by rk45 with the tolerances 1e-3 and 1e-8, and the
-   errors of the two attitudes by rk45 in rad. */
+   errors, in rad, of the two attitudes that rk45 gives. */
 #include "../varmass.h"
 #include <stdio.h>
 

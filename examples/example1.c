@@ -1,6 +1,7 @@
 /* Example 1, (398): the cubic oscillator d/dt(m x') + x^3 = 0 with m = 1 + 0.1 t and reactive force, x(0) = 1, x'(0) =
    0. For Figs 22-24 the program integrates the motion by rk45 and computes the envelopes from the Ateb, trigonometric
-   and Jacobi functions, as printed in (399)-(401) and as corrected.
+   and Jacobi functions, as printed in (399)-(401) and as corrected. Numbers in brackets are equations of the
+   dissertation.
 
    usage: example1 [file.csv]
    The columns of the file are t, x, x', then amplitude and velocity of each envelope, in the order of the array

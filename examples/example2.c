@@ -1,8 +1,9 @@
-/* Example 2, (402): d/dt(m x') + x|x|^(1/2) = 0 with m = (1 + 0.1 t)^2 and reactive force, x(0) = 1, x'(0) = 0.
-   For Fig. 25 the program integrates the motion by rk45 and computes the envelope from the Ateb functions, as printed
-   in (403), which forgets that the mass is a square, and as corrected. The dissertation prints no other envelopes for
-   this example. The program adds those of its general laws: (363) and (364) with their 5 - alpha, and (389), (390),
-   (395) with C_2 = 1/2 and C_4 = 3/8, as they were used for (396).
+/* Example 2, (402): d/dt(m x') + x|x|^(1/2) = 0 with m = (1 + 0.1 t)^2 and reactive force, x(0) = 1, x'(0) = 0. For
+   Fig. 25 the program integrates the motion by rk45 and computes the envelope from the Ateb functions, as printed in
+   (403) and as corrected. The printed (403) is wrong, because it forgets that the mass is a square. The dissertation
+   prints no other envelopes for this example. The program adds the envelopes by the general laws of the dissertation:
+   by (363) and (364) with the printed 5 - alpha, and by (389), (390), (395) with C_2 = 1/2 and C_4 = 3/8, the values
+   that the dissertation uses for (396).
 
    usage: example2 [file.csv]
    The columns of the file are t, x, x', then amplitude and velocity of each envelope, in the order of the array

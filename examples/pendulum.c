@@ -1,6 +1,6 @@
 /* A pendulum loses its outer part: Fig. 19. The program computes the angular velocity of the remaining part,
-   (119)-(132), as printed and as corrected, and also by Lagrange's equations for jumps (96). The angular momenta
-   before and after the jump are compared, too.
+   (119)-(132), as printed and as corrected, and also by Lagrange's equations for jumps (96). The program also compares
+   the angular momenta before and after the jump.
 
    usage: pendulum [prefix] writes prefix_rate.csv (l/L, and phi1' corrected and as printed, for two ways in which the
    part is thrown off) and prefix_motion.csv: for each rod the ends x0, y0 and x1, y1, with y downwards, and a kind (0:

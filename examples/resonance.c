@@ -1,16 +1,17 @@
 /* Harmonic excitation, which the dissertation leaves to future work (chapter 8), of the cubic oscillator
      m x'' + x^3 = -(r m' + b) x' + force cos(theta),  theta' = nu.
-   The program first computes the amplitude-frequency curve with its unstable part. Direct integration while nu rises
-   or falls shows that the amplitude jumps at the folds of this curve. Then the oscillator passes through the resonance
-   while its mass grows: a strong force keeps the vibration near the resonance for some time, a weak force does not. At
-   last the program computes the curve of the force 0.08 (cos theta + cos(2 theta)/2): the second harmonic of the force
-   causes a second peak, where the oscillator vibrates twice in a period of the force.
+   Here m is the mass, b the damping, r the share of the reactive force, and nu the frequency of the force. The program
+   first computes the amplitude-frequency curve with its unstable part. Direct integration while nu rises or falls shows
+   that the amplitude jumps at the folds of this curve. Then the oscillator passes through the resonance while its mass
+   grows: a strong force keeps the vibration near the resonance for some time, a weak force does not. At last the
+   program computes the curve of the force 0.08 (cos theta + cos(2 theta)/2): the second harmonic of the force causes a
+   second peak, where the oscillator vibrates twice in a period of the force.
 
    usage: resonance [prefix]
    The program writes blocks of rows to three files.
    prefix_curve.csv: nu, A, stable for each of the two branches; then nu, |x| at turning points, for nu up and down.
    prefix_passage.csv: for each force t, averaged A, backbone; then t, |x| at turning points.
-   prefix_periodic.csv: for each of both peaks nu, A, stable; then nu, A of the backbone; then nu, A while nu rises. */
+   prefix_periodic.csv: for each peak nu, A, stable; then nu, A of the backbone; then nu, A while nu rises. */
 #include <math.h>
 #include <stdio.h>
 #include "../varmass.h"

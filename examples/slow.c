@@ -1,10 +1,11 @@
 /* Figs 21, 26-30 and 32: vibrations that change slowly, by direct integration, with the curves as printed and as
-   corrected. (Figs 22-25 are in example1.c and example2.c.) A case is a motion with its two curves; a figure is a row
-   of diagrams with some cases each.
+   corrected. (Figs 22-25 are in example1.c and example2.c.) A case is one motion with its two curves. A figure is a row
+   of diagrams; each diagram shows some cases.
 
    usage: slow [prefix] writes prefix_21.csv and so on, one file for each figure. For every case a file has two blocks.
-   Columns of the first: t, the motion, both branches of the printed curve, both branches of the corrected curve (in
-   Fig. 21 the curves are the motion itself). Columns of the second: t and x at the turning points of the motion. */
+   The first block has the columns t, the motion, both branches of the printed curve, and both branches of the corrected
+   curve (in Fig. 21 the curves are the motion itself). The second block has t and x at the turning points of the
+   motion. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

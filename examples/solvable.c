@@ -1,12 +1,12 @@
 /* A nonlinear oscillator with variable mass that has an exact solution. Snow settles on a cart with a cubic spring.
    The mass of the cart grows as m = m0 (1 + a t)^(6/5), and the snow has no velocity before it lands, so that
      d(m x')/dt + k x^3 = 0.
-   Only for this power 6/5 the disturbance G0 in the law of order five is zero at all times (docs/law.md). Therefore
-   the amplitude and the phase of x and V = x' + p x, with p = a/(5 (1 + a t)), follow the mean motion without any
-   error:
+   Only for the power 6/5 the disturbance G0 in the law of order five is zero at all times (docs/law.md). Therefore the
+   amplitude and the phase of x and V = x' + p x, with p = a/(5 (1 + a t)), follow the mean motion without any error:
      x = A0 s ca(psi),   x' = -(W/2) A0 s sa(psi) - p x   with s = (1 + a t)^(-1/5),
      psi = psi0 + 5 W0 ((1 + a t)^(1/5) - 1)/a,   W = W0 (1 + a t)^(-4/5).
-   The program compares this formula with the law of order five and with integration by rk87. */
+   Here A0, psi0 and W0 are the amplitude, the phase and the rate of the phase at t = 0. The program compares this
+   formula with the law of order five and with integration by rk87. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Table 5: Omega_alpha (293), k^2 (307) and Omega_1* (300) of the oscillator x'' + x|x|^(alpha-1) = 0, the printed
-   values, the true values, and the values that the kit computes. A printed number is marked with a star if its six
-   decimals are not those of the rounded true value; the last column is the error of the printed number. */
+   values, the true values, and the values that the kit computes. A star marks a printed number if its six decimals are
+   not those of the rounded true value. The last column is the error of the printed number. */
 #include <math.h>
 #include <stdio.h>
 #include "../varmass.h"

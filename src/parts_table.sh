@@ -38,11 +38,11 @@ This page is written by \`make parts-table\`.
 
 A chapter is a file of src/. Each chapter can be used alone: \`make part PARTS="mechanics/jumps"\` writes one header,
 \`build/parts/jumps.h\`, with the chapter and everything that it needs, and nothing else. If you name several chapters, they go into one header, which has
-the name of the first: \`make part PARTS="mechanics/jumps oscillators/routes"\` writes \`build/parts/jumps.h\`.
+the name of the first chapter: \`make part PARTS="mechanics/jumps oscillators/routes"\` writes \`build/parts/jumps.h\`.
 
 The column "lines" has the number of lines of this header, comments included. "Flash" is the size in bytes of all public
 functions of the chapter, with the code and the tables of constants that they use, for a Cortex-M4F, in float, compiled by gcc
--Os. A program that calls only some of the functions needs less. "Needs" lists the chapters that the chapter includes directly;
+-Os. A program that calls only some of the functions needs less flash. "Needs" lists the chapters that the chapter includes directly;
 chapters of the folder base/ are not listed.
 
 | chapter | what it is about | lines | flash | needs |

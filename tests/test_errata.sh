@@ -48,19 +48,22 @@ write() {
 # Errata
 
 This page lists what is wrong, misprinted or ambiguous in the dissertation [1], L. Cveticanin, *Dynamics of Mass Variable
-System*, and what is true. It is written by `sh tests/test_errata.sh build write` from tests/data/errata.txt.
+System*, and what is true. The command `sh tests/test_errata.sh build write` writes this page from tests/data/errata.txt.
 
 - The verdict "wrong" means that the printed formula or number gives wrong results where it is used. A misprint is a slip, such
-  as a wrong sign, that no later result contains. "Ambiguous" means that the printed text can be read in several ways, of which
-  only one is right.
-- The column "how it was checked" has errors or values of the printed form, of the corrected form, and of a motion that is exact
-  or integrated numerically. ODE means direct integration of the equation of motion. A residual is the difference of the two
-  sides of a balance, such as that of momentum. "The sample" is a set of numbers that stands in the test.
-- The last column names the tests (tests/test_NAME.c) that compute the item with numbers. For each item a test calls
-  ERRATUM("equation", ...), which checks that the printed form of the equation is wrong and that the corrected form is right.
-- Symbols: S is the mass centre of the initial body, S1 that of the final body, S2 that of the part. O or Om is an angular
-  velocity Omega: O1 or Om1 is Omega_1, Or is Omega_r, Or1 is Omega_r1, Ob is Omega_b. w is omega. P(d) = |d|^2 E - d d^T with the
-  unit matrix E. a or alpha is the exponent of the elastic force. The [glossary](glossary.md) has the other symbols.
+  as a wrong sign, that no later result of the dissertation contains. "Ambiguous" means that the printed text can be read in
+  several ways, of which only one is right.
+- The column "how it was checked" compares the printed form and the corrected form with the truth, by errors or by values. The
+  truth is often a motion that is exact or integrated numerically. ODE means direct integration of the equation of motion. A
+  residual is the difference of the two sides of a balance, such as the balance of momentum. "The sample" is the set of numbers
+  with which the test computes the item.
+- The last column has the names of the tests that compute the item with numbers; the test NAME is the file tests/test_NAME.c.
+  For each item a test calls ERRATUM("equation", ...), which checks that the printed form of the equation is wrong and that the
+  corrected form is right.
+- S is the mass centre of the initial body, S1 the mass centre of the final body, and S2 the mass centre of the part that joins
+  or leaves. O or Om is an angular velocity Omega: O1 or Om1 is Omega_1, Or is Omega_r, Or1 is Omega_r1, Ob is Omega_b. The
+  letter w is omega. For a column vector d, P(d) = |d|^2 E - d d^T, where E is the unit matrix. The letter a or alpha is the
+  exponent of the elastic force. The [glossary](glossary.md) has the other symbols.
 
 END
     awk -F'\t' '$2 != "verified" {n[$2]++; if ($6 == "") none++} $2 == "verified" {v++} END {

@@ -29,21 +29,22 @@ write() {
     cat <<'END'
 # Hard cases
 
-This page is written by `make hard-cases` from the output of tests/test_hard.c. Each case is a point at which a formula of
-textbooks, or of the dissertation, goes wrong: its result has few correct digits or is no number. The first column says what is
-computed and why the formula goes wrong. The true values are computed with arbitrary precision (tests/gen/hard_reference.py).
+Each case of this page is a point at which a formula of textbooks, or of the dissertation, goes wrong: the result of the formula
+has few correct digits or is no number. The page is written by `make hard-cases` from the output of tests/test_hard.c. The first
+column says what is computed and why the formula goes wrong. The true values are computed with arbitrary precision
+(tests/gen/hard_reference.py).
 
-- The column "kernel" names a pair of functions in tests/hard/ that compute the case: one by the headers, and one by the naive
-  formula (the formula that goes wrong). The column "at" has the arguments of these functions; arguments that are missing at the
-  end are zero. Numbers in the first column belong to the point in double. Letters in the first column are explained in the
-  comment above the headers' function that is tested.
+- The column "kernel" names a pair of functions in tests/hard/ that compute the case: one function calls the headers, and the
+  other uses the naive formula (the formula that goes wrong). The column "at" has the arguments of these functions; arguments that
+  are missing at the end are zero.
+- Numbers in the first column belong to the point in double. Letters in the first column are explained in the comment above the
+  headers' function that is tested. Numbers in brackets, such as (482), are equations of the dissertation.
 - The column "error" has the error of the headers' function, and the column "naive" the error of the naive formula in the same
-  precision. "No number" there means that the naive formula gives infinity or NaN, or divides by zero. The unit of both errors
-  is eps (2.2e-16, in float 1.2e-7) times the true value, or times the scale of the problem, such as the largest value of an
-  oscillation.
-- The column "bound" has the largest error that the test allows. The test also fails where the error of the naive formula is
-  less than four times the bound, because such a point is no hard case.
-- In a jump, a "part" leaves a body and the "rest" is what remains of it; "spin" is an angular velocity. "By rk4" means
+  precision. "No number" means that the naive formula gives infinity or NaN, or divides by zero. The unit of both errors is eps
+  (2.2e-16, in float 1.2e-7) times the true value, or times the scale of the problem, such as the largest value of an oscillation.
+- The column "bound" has the largest error that the test allows. The test also fails if the error of the naive formula is less
+  than four times the bound, because such a point is no hard case.
+- In a jump, a "part" leaves a body, and the "rest" is what remains of the body; "spin" is an angular velocity. "By rk4" means
   integration with fixed steps of the classical Runge-Kutta method.
 END
     tables

@@ -352,8 +352,8 @@ static void table1(void)
     CHECK(vm_momentum(&whole).x == vm_momentum(&rest).x + vm_momentum(&part).x);
     if (prints)
         puts("\n## Table 1: nomenclature\n\nIn the dissertation the labels from the second row on stand one row too "
-             "high. The values are those of Table 4, row 1, in the order initial body, final body, part.\n\n"
-             "| the printed label | entries in its row | their true label | here | values "
+             "high. The values are those of row 1 of Table 4, in this order: body before the separation, body after "
+             "it, part.\n\n| the printed label | entries in its row | their true label | here | values "
              "|\n|---|---|---|---|---|");
     name_row("Mass center", "-, 1, 2", "body (index)", "vm_body whole, rest, part", "");
     name_row("Position of mass center", "S, S_1, S_2", "mass center", "r", "(0, 0) is S");
@@ -380,23 +380,22 @@ static void table1(void)
 
 static void print_head(void)
 {
-    puts("# Tables 1 to 4 of the dissertation\n\n"
-         "This page is written by `make tables` (tests/test_tables.c). `make test` checks it row by row. It has every row of "
-         "Tables 1 to 4 in L. Cveticanin, *Dynamics of Mass Variable System*, with an example in numbers. The program "
-         "build/examples/table5 prints Table 5. [errata.md](errata.md) lists the errors of the dissertation.\n\n"
-         "In the example a part separates from a plate. The plate (the whole) has the mass M = 5 kg, the moment of inertia "
-         "I_S = 2 kg m² and its mass centre S at the origin. The part has m = 1 kg and I_S2 = 0.125 kg m², and "
-         "**SS**_2 = (0.5, 0.25) m is the vector from S to the mass centre of the part. So the rest has **SS**_1 = (-0.125, -0.0625) m "
-         "and I_S1 = 1.484375 kg m². **v** is a velocity and Ω an angular velocity; the index S or none stands for the "
-         "whole, S1 or 1 for the rest, S2 or 2 for the part. "
-         "Lengths are in m, "
-         "velocities in m/s, angular velocities in rad/s. **v**_r and Ω_r are the motion of the part relative "
-         "to the whole; `vm_separate_relative2` has **v**_r and Ω_r as arguments, in place of **v**_S2 and Ω_2. Some rows ask "
-         "which Ω_2 gives a certain Ω_1; there `vm_separation_for_rest2` computes the Ω_2 of the third column.\n\n"
-         "In Tables 2 to 4, \"part in the text\" is the motion of the part that the dissertation assumes, and "
-         "\"rest in the text\" is its formula for the motion of the rest. The column \"as printed\" has the values of "
-         "this formula, and the column \"true\" has the correct values. The verdict \"holds\" means that the formula is "
-         "right. \"(cut off)\" stands where the printed text is not complete.");
+    puts("# Tables 1 to 4 of the dissertation\n\nThis page is written by `make tables` (tests/test_tables.c). `make "
+         "test` checks it row by row. The page has every row of Tables 1 to 4 in L. Cveticanin, *Dynamics of Mass "
+         "Variable System*, with an example in numbers. The program build/examples/table5 prints Table 5. "
+         "[errata.md](errata.md) lists the errors of the dissertation.\n\nIn the example a part separates from a "
+         "plate. The plate (the whole) has the mass M = 5 kg, the moment of inertia I_S = 2 kg m² and its mass centre "
+         "S at the origin. The part has m = 1 kg and I_S2 = 0.125 kg m², and **SS**_2 = (0.5, 0.25) m is the vector "
+         "from S to the mass centre of the part. So the rest has **SS**_1 = (-0.125, -0.0625) m and I_S1 = 1.484375 kg "
+         "m². **v** is a velocity and Ω an angular velocity. A letter with the index S, or without an index, belongs "
+         "to the whole. The index S1 or 1 means the rest, and the index S2 or 2 means the part. Lengths are in m, "
+         "velocities in m/s, angular velocities in rad/s. **v**_r and Ω_r are the motion of the part relative to the "
+         "whole. The function `vm_separate_relative2` has the arguments **v**_r and Ω_r in place of **v**_S2 and Ω_2. "
+         "In some rows Ω_1 is given, and Ω_2 must be found; in these rows `vm_separation_for_rest2` computes the Ω_2 "
+         "of the third column.\n\nIn Tables 2 to 4, \"part in the text\" is the motion of the part that the "
+         "dissertation assumes, and \"rest in the text\" is its formula for the motion of the rest. The column \"as "
+         "printed\" has the values of this formula, and the column \"true\" has the correct values. The verdict "
+         "\"holds\" means that the formula is right. \"(cut off)\" stands where the printed text is not complete.");
 }
 
 int main(int argc, char **argv)

@@ -34,10 +34,11 @@ static void validate_gsl_integrals(void)
         "GSL's elliptic integrals",
         "GNU Scientific Library 2.8, specfunc/test_sf.c, test_ellint",
         "GSL's parameter is the modulus k; ours is m = k^2. The characteristic n of Pi has the opposite sign in GSL. "
-        "In the row of jacobi_K_m1, k = 1 - 2^-30. There GSL's own test allows an error of 1e-6 (single precision). "
-        "GSL's function gets k and must compute 1 - k^2, in which digits cancel. The argument of jacobi_K_m1 is 1 - k^2 "
-        "itself, which has no rounding error here.",
-        "Our incomplete integrals have a bound of 8 ulp, and the rounding of k^2 and of the angle adds at most 4 eps.",
+        "In the row of jacobi_K_m1, k is 1 - 2^-30. For this k, GSL's own test allows an error of 1e-6 (single "
+        "precision), because GSL's function gets k and must compute 1 - k^2, in which digits cancel. Our function "
+        "jacobi_K_m1 gets the number 1 - k^2 itself, which has no rounding error here.",
+        "The errors of our incomplete integrals have a bound of 8 ulp. The rounding of k^2 and of the angle adds an "
+        "error of at most 4 eps.",
         3e-15, 3e-6};
     validation_begin(&group);
     ROW("3.3566005233611923760", jacobi_K(0.99 * 0.99));
@@ -66,8 +67,10 @@ static void validate_gsl_functions(void)
     static const validation_group group = {
         "GSL's Jacobi functions and incomplete beta function",
         "GNU Scientific Library 2.8, specfunc/test_sf.c, test_jac, and specfunc/test_gamma.c",
-        "GSL's elljac has the parameter m, as our functions have. Its beta_inc(a, b, x) is our ateb_beta_inc(x, a, b).",
-        "Our Jacobi functions have a bound of 9 ulp. The rounding of m = 0.3, 0.6 and 0.999999 adds to this.",
+        "GSL's elljac has the parameter m, as our functions have. GSL's beta_inc(a, b, x) is our ateb_beta_inc(x, a, "
+        "b).",
+        "The errors of our Jacobi functions have a bound of 9 ulp. The rounding of m = 0.3, 0.6 and 0.999999 causes a "
+        "further error.",
         3e-15, 6e-6};
     validation_begin(&group);
     ROW("0.4707504736556572833", jacobi_sn(0.5, 0.5));
@@ -90,10 +93,10 @@ static void validate_gsl_large_beta(void)
     static const validation_group group = {
         "GSL's incomplete beta function of large parameters",
         "GNU Scientific Library 2.8, specfunc/test_gamma.c",
-        "As in the previous table, GSL's beta_inc(a, b, x) is our ateb_beta_inc(x, a, b). Numbers below 1e-37 are not "
-        "compared in float.",
-        "The arguments x = 0.4 and 0.6 are rounded to double. The derivative of the function's logarithm with respect "
-        "to x is some thousand, and the rounding error of x is multiplied by it.",
+        "As in the previous table, GSL's beta_inc(a, b, x) is our ateb_beta_inc(x, a, b). Where the kit computes in "
+        "float, published numbers below 1e-37 are not compared.",
+        "The arguments x = 0.4 and 0.6 are rounded to double. The derivative of the logarithm of the result with "
+        "respect to x is up to some thousands. The rounding error of x is multiplied by this derivative.",
         6e-13, 1e-6};
     validation_begin(&group);
     ROW("0.9999999999157549630", ateb_beta_inc(0.6, 500.0, 500.0));
@@ -118,7 +121,7 @@ static void validate_boost(void)
         "which are exact also in float. In the table, any_sn stands for the first result of jacobi_sncndn_any, for k "
         "= 1.5.",
         "Our bounds are 9 ulp for sn, cn and dn, 30 ulp for ateb_beta_inc, and at most 8 ulp for the other functions. "
-        "The rounding of k^2 adds some eps near k = 1, where E and F depend on 1 - k^2.",
+        "Near k = 1, the rounding of k^2 adds an error of some eps, because E and F depend on 1 - k^2.",
         4e-15, 4e-6};
     validation_begin(&group);
     ROW("0.246781405136141600483623741101255", jacobi_sn(0.25, 0.5 * 0.5));
@@ -186,8 +189,8 @@ static void validate_handbooks(void)
         "Abramowitz and Stegun, K(m)",
         "Handbook of Mathematical Functions (1964), table 17.1",
         "The table has the nine rows for m = 0.1 to 0.9.",
-        "The table has 15 decimals. Half a unit of the last decimal is 5e-16, and the rounding of m adds the same "
-        "amount.",
+        "The table has 15 decimals. Half a unit of the last decimal is 5e-16, and the rounding of m causes a further "
+        "error of this size.",
         2e-15, 1e-6};
     static const validation_group short_rows = {
         "Abramowitz and Stegun, E(m); the DLMF, sn, cn and dn",

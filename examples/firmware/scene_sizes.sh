@@ -77,7 +77,8 @@ This page is written by `make scene-sizes`.
 
 The tables show by how many bytes of flash a program grows when it contains a scene, with all functions and constants that the
 scene needs. The programs compute in float and are compiled by gcc -Os. M0 is a Cortex-M0, which has no floating-point unit; the
-code that emulates floating-point arithmetic is counted, too. M4F is a Cortex-M4F.
+numbers in this column include the code that emulates floating-point arithmetic. M4F is a Cortex-M4F, which has a floating-point
+unit.
 
 | a scene with vm_scene_start and vm_scene_rhs | M0 | M4F |
 |---|---|---|
@@ -96,7 +97,7 @@ row "a point, nothing acts" "*b++ = vm_scene_body_point(1, zero, zero);" "" "" "
 row "a pendulum: a point, gravity, a link" "*b++ = vm_scene_body_point(1, zero, zero); *b++ = vm_scene_body_line(1, 0, 0);" "*e++ = vm_effect_gravity(0, 1, -9.81f); *e++ = vm_effect_link(0, 1, NULL, NULL, 1, 0, 1);" "" "$evaluate"
 row "a body in the plane, nothing acts" "$plane" "" "" "$evaluate"
 row "a growing body in the plane, with the mass and force of a stream" "$growing" "*e++ = vm_effect_stream_mass(0, &stream); *e++ = vm_effect_stream_force(0, &stream);" "" "$evaluate"
-row "the same with the stream's moment and torque, too" "$growing" "*e++ = vm_effect_stream_mass(0, &stream); *e++ = vm_effect_stream_force(0, &stream); *e++ = vm_effect_stream_moment(0, &stream); *e++ = vm_effect_stream_torque(0, &stream);" "" "$evaluate"
+row "the same body with the stream's moment and torque, too" "$growing" "*e++ = vm_effect_stream_mass(0, &stream); *e++ = vm_effect_stream_force(0, &stream); *e++ = vm_effect_stream_moment(0, &stream); *e++ = vm_effect_stream_torque(0, &stream);" "" "$evaluate"
 row "a body free in space, nothing acts" "*b++ = vm_scene_body_free(&part);" "" "" "$evaluate"
 cat <<'END'
 
@@ -107,7 +108,7 @@ row "run by vm_scene_run" "$line" "$spring $damper" "" "$simulate"
 row "run with an event that stops it" "$line" "$spring $damper" "*v++ = vm_then_stop(vm_event_position(0, 0, 1, 1));" "$simulate"
 row "run with an event that switches the spring off" "$line" "$spring $damper" "*v++ = vm_then_switch(vm_event_position(0, 0, 1, 1), 0, 1);" "$simulate"
 row "run with an event that separates a part, by the function for a line" "$line $drop" "$spring $damper" "*v++ = vm_then_separate_on_line(vm_event_at(1), 0, 1, &part, 1);" "$simulate"
-row "the same by the function for all kinds of bodies" "$line $drop" "$spring $damper" "*v++ = vm_then_separate(vm_event_at(1), 0, 1, &part, 1);" "$simulate"
+row "the same event, by the function for all kinds of bodies" "$line $drop" "$spring $damper" "*v++ = vm_then_separate(vm_event_at(1), 0, 1, &part, 1);" "$simulate"
 row "run with an event that attaches a body, by the function for a line" "$line $line" "$spring $damper" "*v++ = vm_then_attach_on_line(vm_event_at(1), 0, 1);" "$simulate"
 row "run with a budget of momentum and energy, no event" "$line" "$spring $damper" "vm_scene_keep_budget(&scene, &book);" "$simulate vm_scene_budget_at(&scene, t, y, &book);"
 

@@ -51,7 +51,7 @@ measure() { # measure PRECISION NAME HEADER CALL DRAW HARD EXTRA_FLAG... : a row
     done
     printf '\n'
 }
-print_plan() { # print_plan PRECISION ORDER : the plan of a leaking oscillator as a constant, $build/closed.h
+print_plan() { # print_plan PRECISION ORDER : the plan of an oscillator with growing mass as a constant, $build/closed.h
     flag=
     [ $1 = float ] && flag=-DVM_USE_FLOAT
     ${CC:-cc} -std=c99 $flag examples/print_plan.c -o "$build/print_plan" -lm &&
@@ -128,10 +128,10 @@ avr_table() {
     sh tests/install.sh -w "for the flash of programs on an ATmega328P" "command -v avr-gcc" gcc-avr avr-libc binutils-avr ||
         return 1
     printf '\n## ATmega328P\n\n'
-    printf 'The table has the bytes of flash of a whole program in float. The program makes the plan of an oscillator whose mass\n'
-    printf 'leaks on the board, computes the motion at 16 times from the plan, and prints the results (tests/cross/tables.c). The ATmega328P\n'
-    printf 'has 32768 bytes of flash. If the plan is made on a PC, it is a constant, and the program does not contain the code that makes it.\n'
-    printf 'The columns are two lists of options of the compiler avr-gcc.\n'
+    printf 'The table has the bytes of flash of a whole program in float. On the board, the program makes the plan of an oscillator that loses\n'
+    printf 'mass. Then it computes the motion at 16 times from the plan, and prints the results (tests/cross/tables.c). The ATmega328P has\n'
+    printf '32768 bytes of flash. If the plan is made on a PC, it is a constant, and the program does not contain the code that makes it. The\n'
+    printf 'columns are two lists of options of the compiler avr-gcc.\n'
     printf '\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
     for order in 2 3 5; do
         printf '| %s | %s | %s |\n' $order "$(avr_flash $order)" "$(avr_flash $order -mcall-prologues -mrelax)"
@@ -146,8 +146,8 @@ This page is written by `make firmware-table`, with the compiler gcc and its opt
 
 Each cell of the tables for float and double has three numbers: flash, stack and instructions of a call. *Flash* is the number of
 bytes by which a program grows when it contains the call, with all tables and functions that the call needs. *Stack* is the number
-of bytes on the stack, and *instructions* the number of machine instructions that the processor executes. Stack and instructions
-are the largest numbers that were measured in many calls on emulated boards.
+of bytes that the call needs on the stack. *Instructions* is the number of machine instructions that the processor executes in the
+call. For stack and instructions, the tables have the largest numbers that were measured in many calls on emulated boards.
 
 | target | processor |
 |---|---|
@@ -157,22 +157,22 @@ are the largest numbers that were measured in many calls on emulated boards.
 | RV32IMAC | RISC-V without floating-point unit |
 | RV32IMAFDC | RISC-V with float and double in hardware |
 
-Each function is called with 300 random arguments (`vm_osc_closed_init` with 10) and with some difficult ones: the ends of
-the intervals of allowed arguments, u = 1e9 (in float 1e4), and m next to 1. The script examples/firmware/table.sh lists them. The
-random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments of the functions explain
-these letters. Random bodies have three different moments of inertia, and any attitude and motion.
-The tables have the largest stack and the largest number of instructions that were measured in these calls. A call with other
-arguments may need more.
+Each function is called with 300 random arguments (`vm_osc_closed_init` with 10) and with some difficult arguments: the ends of
+the intervals of allowed arguments, u = 1e9 (in float 1e4), and m next to 1. The script examples/firmware/table.sh lists the
+difficult arguments. The random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments of
+the functions explain these letters. Random bodies have three different moments of inertia, and any attitude and motion. A call
+with other arguments may need a larger stack or more instructions than the tables say.
 
-A plan stores what is computed once and used in many calls. In the rows of `jacobi_plan_sncndn` and `ateb_plan_saca` the flash
-includes the code that makes the plan; a program whose plan is a constant in flash does not need this code. The other functions are
+A plan stores numbers that are computed once and then used in many calls. In the rows of `jacobi_plan_sncndn` and `ateb_plan_saca`
+the flash includes the code that makes the plan. A program whose plan is a constant in flash does not need this code. The other
+functions are:
 
 - `vm_osc_closed_at`: the motion of an oscillator whose mass grows (alpha = 1.7), by the law (approximate formula) of order
   two, three or five, from a plan that is a constant in flash; the flash in the table includes this plan;
-- `vm_osc_closed_init`: makes this plan on the board; the mass is a linear function of time;
+- `vm_osc_closed_init`: the computation of this plan on the board; the mass is a linear function of time;
 - `vm_osc_exact`: the motion of an oscillator with constant mass;
-- `vm_torque_free_attitude`: the rotation of a free body at times from -1000 s to 1000 s; `vm_torque_free_init` prepares this
-  computation, and has a row of its own;
+- `vm_torque_free_attitude`: the rotation of a free body at times from -1000 s to 1000 s; the function `vm_torque_free_init`,
+  which prepares this computation, has its own row;
 - `vm_scene_rhs` and `rk4_step of the scene`: the scene is a tray on a spring with any exponent and a damper; the tray loses its
   load. `vm_scene_rhs` evaluates the scene once, and a step of `rk4` evaluates it four times. [scene-sizes.md](scene-sizes.md)
   has the flash of whole scenes;

@@ -1,10 +1,10 @@
 /* A spring with a leaking mass. A bucket of sand hangs on a spring. If x is measured from the position of rest, which
    rises while sand leaks out, the motion is m x'' + k x = 0. The sand keeps the bucket's velocity as it leaks out, so
    that no reactive force acts. The vibration becomes faster and narrower: its amplitude is A = A0 (m/m0)^(1/4), where
-   A0 and m0 are amplitude and mass at the start. If the sand were brought to rest before it leaves, the reactive
-   force would make the vibration wider: A = A0 (m0/m)^(1/4), which is (325) with alpha = 1. The function
-   vm_osc_amplitude_law computes the amplitude in both cases; its third argument is 0 without the reactive force and 1
-   with it.
+   A0 and m0 are amplitude and mass at the start. If the sand were brought to rest before it leaves, the reactive force
+   would make the vibration wider: A = A0 (m0/m)^(1/4), which is equation (325) for a linear spring (alpha = 1). The
+   function vm_osc_amplitude_law computes the amplitude in both cases. The third argument of this function is 0 without
+   the reactive force and 1 with it.
 
    cc -O2 01_leaking_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,7 +1,8 @@
-/* A spring that stiffens. The oscillator x'' + x^3 = 0 vibrates faster when its amplitude is larger, (262). Its motion
-   is not a cosine but the Ateb function ca(3, 1, s), (282), where s is proportional to the time; for a force x
-   |x|^(alpha-1) it is ca(alpha, 1, s). The program compares two simpler formulas with ca. A cosine with the exact
-   period, (291), has errors of up to 7 % of the amplitude. Jacobi's function cn, (297), is exact for alpha = 3.
+/* A spring that stiffens. The oscillator x'' + x^3 = 0 vibrates faster when its amplitude is larger, (262). The exact
+   motion is not a cosine but the Ateb cosine ca(3, 1, s), (282), where s is proportional to the time. For a force
+   x |x|^(alpha-1) the motion is ca(alpha, 1, s). The program compares two other formulas with ca. The first, a cosine
+   with the exact period, (291), has errors of up to 7 % of the amplitude. The second, Jacobi's function cn, (297), is
+   exact for alpha = 3.
 
    cc -O2 02_cubic_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

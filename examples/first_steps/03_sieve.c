@@ -1,7 +1,7 @@
-/* A vibrating sieve that is being loaded. The program is a scene: it simulates only a list of bodies, a list of
-   effects that act on them, and a list of events that change the scene. A sieve of 20 kg on a spring and a damper is
-   shaken by a force of 60 N. From t = 4 s on, gravel falls into it at 2 kg/s without sideways velocity, (175),
-   until 20 kg are in it. As its mass grows, the sieve passes its resonance.
+/* A vibrating sieve that is being loaded. The program is a scene: it simulates only a list of bodies, a list of effects
+   that act on them, and a list of events that change the scene. A sieve of 20 kg on a spring and a damper is shaken by
+   a force of 60 N. From t = 4 s on, gravel falls into the sieve at 2 kg/s without sideways velocity, (175), until
+   20 kg of gravel are in it. As the mass grows, the sieve passes through its resonance.
 
    cc -O2 03_sieve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

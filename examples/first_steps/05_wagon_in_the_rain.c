@@ -1,9 +1,8 @@
-/* A wagon in the rain. The wagon rolls without friction. Rain falls straight down, so that mass joins without
-   velocity along the rail, and the momentum M v stays the same. (In equations (151) and (170) of the dissertation the
-   velocity u of the mass that joins is 0.) Then the rain stops and the
-   wagon leaks. The water leaves with the wagon's velocity, and v stays the same. The classic mistake is to say that
-   M v also stays the same while the wagon leaks, so that v must grow again. This mistake forgets the momentum of the
-   water that leaves.
+/* A wagon in the rain. The wagon rolls without friction. Rain falls straight down, so that mass joins without velocity
+   along the rail, and the momentum M v stays the same. (In equations (151) and (170) of the dissertation the velocity u
+   of the mass that joins is 0.) Then the rain stops and the wagon leaks. The water leaves with the wagon's velocity,
+   and v stays the same. The classic mistake is to say that M v also stays the same while the wagon leaks, so that v
+   must grow again. Who says so forgets the momentum of the water that leaves.
 
    cc -O2 05_wagon_in_the_rain.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

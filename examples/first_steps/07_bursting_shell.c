@@ -1,5 +1,5 @@
-/* A spinning shell bursts into three. The motions of two pieces are known. The function vm_separate computes how the
-   third piece moves, (15), (24), (34), and vm_energy_gain computes how much energy the explosive charge gave, (113).
+/* A spinning shell bursts into three. The motions of two pieces are known. The function vm_separate computes by (15),
+   (24), (34) how the third piece moves, and vm_energy_gain computes by (113) how much energy the explosive charge gave.
    The mass centre of all three pieces goes on as if nothing had happened, until the first piece hits the ground.
 
    cc -O2 07_bursting_shell.c -lm && ./a.out [file.csv] */

@@ -1,8 +1,9 @@
 /* A Duffing oscillator whose mass grows. The equation of motion is m x'' + k1 x + k3 x^3 = -(b + m') x', with the
-   damping b. A spring that hardens, with k1 = 100 N/m and k3 = 20000 N/m^3, holds a box of 2 kg, onto which 0.02 kg
-   of sand trickle each second. With constant mass vm_duffing_exact_from is exact. If mass, stiffness and damping
-   change slowly, vm_odd_plan_within uses averaged equations. If their estimated error is too large, it integrates the
-   equation of motion. For any other odd spring force use vm_odd_force_user in place of vm_duffing_force.
+   damping b. A spring that hardens, with k1 = 100 N/m and k3 = 20000 N/m^3, holds a box of 2 kg, onto which 0.02 kg of
+   sand trickle each second. With constant mass the function vm_duffing_exact_from is exact. If mass, stiffness and
+   damping change slowly, vm_odd_plan_within uses averaged equations. If the estimated error of these equations is too
+   large, vm_odd_plan_within integrates the equation of motion. For any other odd spring force use vm_odd_force_user
+   instead of vm_duffing_force.
 
    cc -O2 11_duffing.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

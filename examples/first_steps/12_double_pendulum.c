@@ -1,7 +1,7 @@
 /* A double pendulum on a damped spring. Two bars hang on pins, and a damped spring connects the end of the lower bar
-   with the ground. The kit computes the forces of all pins together, by Lagrange's multipliers. The energy of the
-   bars changes only by the work of weight and spring. The budget of the scene adds up this work. The difference
-   between this work and the change of energy is the error of the run.
+   with the ground. The kit computes the forces of all pins together, by Lagrange's multipliers. The energy of the bars
+   changes only by the work of weight and spring. The budget of the scene, which is a balance of energy, adds up this
+   work. The difference between this work and the change of energy is the error of the run.
 
    cc -O2 12_double_pendulum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,9 +1,9 @@
-/* The motion of a Van der Pol oscillator long after its start. The equation of motion is m x'' + k x = (feed - c
-   x^2) x' - m' x', (404). Averaging gives the amplitude, but x(t) itself also needs the phase. The function
-   vm_vdp_plan_within uses a law of order three, which is a formula for x(t). If the estimated error of the law is too
-   large, the function integrates. With constant mass and alpha = 1 this law is a closed form, whose cost does not
-   depend on t. In the second motion mass joins and the spring softens: the fields mass and stiffness of a vm_vdp are
-   laws of time.
+/* The motion of a Van der Pol oscillator long after its start. The equation of motion is m x'' + k x =
+   (feed - c x^2) x' - m' x', (404). Averaging gives only the amplitude, but x(t) also depends on the phase. The
+   function vm_vdp_plan_within uses a law of order three, which is an approximate formula for x(t). If the estimated
+   error of the law is too large, the function integrates. With constant mass and a linear spring this law is a closed
+   form, and its computing time does not depend on t. In the second motion mass joins and the spring softens: the fields
+   mass and stiffness of a vm_vdp are laws of time.
 
    cc -O2 14_van_der_pol_motion.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,8 +1,9 @@
 /* A crane draws in its load. Until t = 0 the crane moves at 0.05 m/s; then it stops. Its load, 200 kg on a rope of
    length L = 20 m, swings by the angle phi while the rope becomes shorter by 0.25 m/s. The load is a body that turns
    about the crane. Its moment of inertia m L(t)^2 changes, and its equation of motion is
-   (m L^2 phi')' = -m g L sin phi. This is equation (170), with the moment of inertia in place of the mass. As long as the rope shortens slowly, the swings grow as L^(-3/4). For small angles the exact
-   motion is a formula with Bessel functions (Lorentz's pendulum).
+   (m L^2 phi')' = -m g L sin phi. This is equation (170), with the moment of inertia in place of the mass. As long as
+   the rope shortens slowly, the swings grow as L^(-3/4). For small angles the exact motion is a formula with Bessel
+   functions (Lorentz's pendulum).
 
    cc -O2 16_crane.c -lm && ./a.out [file.csv] */
 #include <math.h>

@@ -64,8 +64,9 @@ static inline int stage_event(stage *s, vm_event event)
 }
 
 /* Adds all four effects of a stream that varies in time: mass, force, moment and torque. */
-static inline void stage_stream(stage *s, int body, const vm_stream *stream,
-                                void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx), void *ctx)
+static inline void stage_varying_stream(stage *s, int body, const vm_stream *stream,
+                                        void (*vary)(vm_real t, const vm_real *y, vm_stream *stream, void *ctx),
+                                        void *ctx)
 {
     stage_effect(s, vm_effect_varying(vm_effect_stream_mass(body, stream), vary, ctx));
     stage_effect(s, vm_effect_varying(vm_effect_stream_force(body, stream), vary, ctx));

@@ -52,7 +52,7 @@ static inline void two_stages(stage *s)
         motors[i].dry = i ? 80 : 200;
         motors[i].swivel = i ? 0 : 0.002;
         nozzles[i].at = grains[i].at;
-        stage_stream(s, 0, nozzles + i, two_stages_burn, motors + i);
+        stage_varying_stream(s, 0, nozzles + i, two_stages_burn, motors + i);
     }
     for (i = 4; i < 8; i++) s->effects[i].off = 1; /* the second motor */
     stage_body(s, vm_scene_body_growing_free(vm_scene_body_free(&rocket)));

@@ -19,7 +19,7 @@ awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 
     print "This page is written by `make scaling`.\n"
     print "The sweep is the program examples/sweep/breakups.c. It computes " samples " random break-ups of a"
     print "body. It can run as several processes, which exchange messages by the library MPI. Such a process is called a rank, and may"
-    print "have several threads. In the table the sweep runs on at most two cores. Each time is the least of three runs. \"Speed-up\" is the"
+    print "have several threads. In the table the sweep runs on at most two cores. Each time is the shortest of three runs. \"Speed-up\" is the"
     print "time of one thread divided by the time of this row, and \"efficiency\" is the speed-up divided by the number of cores. The"
     print "results have the same bits in all runs.\n"
     print "| | time, s | speed-up | efficiency |\n|---|---|---|---|"
@@ -28,14 +28,14 @@ awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 
     sample = one / samples
     round = 64 * 4096 * sample
     print "\n## A thousand ranks, on paper\n"
-    printf "A thousand ranks were not tried; this is an estimate. A break-up takes %.2f us on one core. In one round\neach rank computes 64 blocks of 4096 break-ups, ", sample * 1e6
+    printf "A thousand ranks were not tried; the numbers of this section are an estimate. A break-up takes %.2f us on one core. In one round\neach rank computes 64 blocks of 4096 break-ups, ", sample * 1e6
     printf "which takes %.0f ms.\nAfter a round the first rank gathers the results, 64 blocks of 240 bytes from each rank. From a\n", round * 1e3
     print "thousand ranks these are 15 MB, which take 1.5 ms at 10 GB/s. The messages reach the first rank in ten stages of some"
-    print "microseconds each, which adds almost no time. All ranks wait for the slowest one, but the times of blocks differ only by a"
+    print "microseconds each, which adds almost no time. All ranks wait for the slowest rank, but the times of blocks differ only by a"
     printf "few per cent. If all other time is used for computing, the gathering of the results reduces the efficiency to %.0f %%.\n\n", 100 * round / (round + 0.0015)
     printf "The file in which the sweep stores the results of finished blocks is the first limit of the speed. It grows by 15 MB\na round, which is %.0f MB/s. A disk that writes 200 MB/s\n", 15.7 / round
     printf "reduces the efficiency to %.0f %%. With blocks of 65536 break-ups instead of 4096 (the constant BLOCK\nin breakups.c), the file is a sixteenth as long, and the efficiency is %.0f %%.\n", \
         100 * round / (round + 15.7 / 200 + 0.0015), 100 * 16 * round / (16 * round + 15.7 / 200 + 0.0015)
-    print "(Another BLOCK also changes the last digits of the sums, because the numbers are added in another order.) Every rank"
+    print "(Another value of BLOCK also changes the last digits of the sums, because the numbers are added in another order.) Every rank"
     print "needs 240 bytes of memory for each block, which is 60 MB for 1e9 break-ups."
 }'

@@ -1,13 +1,14 @@
 /* mechanics/attitude.h - attitudes: vectors in body axes and inertial axes, rotation matrices, Rodrigues parameters
-   The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes: a vector with
-   the components a along the body's axes has the components q a q* along inertial axes. w is the cosine of half the
-   angle of the rotation, and (x, y, z) is the unit vector along the axis of the rotation, times the sine of half the
-   angle (Hamilton's quaternions, right-handed).
+   The attitude of a body is a quaternion q = w + x i + y j + z k that turns body axes into inertial axes. A vector
+   with the components a along the body's axes has the components q a q* along inertial axes, for |q| = 1 and with the
+   conjugate quaternion q* = w - x i - y j - z k. w is the cosine of half the angle of the rotation, and (x, y, z) is
+   the unit vector along the axis of the rotation, times the sine of half the angle (Hamilton's quaternions,
+   right-handed).
    q and -q are the same attitude. The length of q does not matter. If all four numbers of q are 0, body axes and
    inertial axes coincide (the identity). This chapter computes
      - the components of a vector along inertial axes from those along body axes, and back,
-     - the rotation matrix of q, which consists of the direction cosines of the axes, and q from this matrix,
-     - the modified Rodrigues parameters of q, and q from them.
+     - the rotation matrix of q, which consists of the direction cosines of the axes, and the quaternion of a matrix,
+     - the modified Rodrigues parameters of q, and the quaternion of such parameters.
    Euler's angles are in the chapter mechanics/euler_angles.
 
        vm_quat q = {1, 0, 0, 1};                    // the body is turned by 90 degrees about z
@@ -15,8 +16,8 @@
        vm_vec3 direction = vm_rotate(q, forward);   // (0, 1, 0), in inertial axes
        vm_vec3 back = vm_rotate_back(q, direction); // (1, 0, 0), in body axes
 
-   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993); there q is the
-   opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
+   Source: M. D. Shuster, A survey of attitude representations, J. Astronautical Sciences 41 (1993). In that survey q
+   is the opposite rotation, from inertial to body axes. Tests: tests/test_attitude.c, tests/test_flow.c. */
 #ifndef VARMASS_MECHANICS_ATTITUDE_H
 #define VARMASS_MECHANICS_ATTITUDE_H
 
@@ -61,7 +62,7 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
    the angular velocity omega (rad/s, body axes). The formula is q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, where
    (0, omega) is a quaternion whose w is 0. The argument `square` must be |q|^2. q should have length 1, but errors of
    an integration change its length. The second term of q' brings the length back to 1. This correction is slower than
-   the rotation of the body, so that an integrator needs no shorter steps because of it. */
+   the rotation of the body. Therefore an integrator can take steps as long as without the correction. */
 VM_INLINE void vmi_attitude_rates(vm_quat q, vm_real square, vm_vec3 omega, vm_real *rates)
 {
     const vm_real back = VM_SQRT(vm_dot(omega, omega)) * (1 - square) / 8;
@@ -107,8 +108,8 @@ VM_API int vm_quat_to_matrix(vm_quat q, vm_real c[9])
     return VM_OK;
 }
 
-/* vmi_is_rotation accepts a matrix as a rotation matrix if the errors that it finds in the matrix are at most this
-   number. A rotation matrix whose entries are rounded to three digits is accepted. */
+/* vmi_is_rotation tests conditions that every rotation matrix satisfies. This number is the tolerance of these tests.
+   A rotation matrix whose entries are rounded to three digits is accepted. */
 #define VMI_MATRIX_TOLERANCE VM_C(0.0078125)
 
 /* Returns 1 if c is a rotation matrix, apart from small errors of its entries, and 0 otherwise. The columns x, y, z of
@@ -121,12 +122,12 @@ VM_API int vmi_is_rotation(const vm_real *c)
     return vmi_norm_max(lengths) <= VMI_MATRIX_TOLERANCE && vmi_norm_max(turned) <= VMI_MATRIX_TOLERANCE;
 }
 
-/* The quaternion q of length 1, with w >= 0, that has the rotation matrix c; vm_quat_to_matrix describes c. The error
-   is within 4 eps. For a rotation by a small angle it is within 4 eps times this angle. Rounding errors of c cause
-   errors of the same size in q. There are four formulas for q, each with a division; the function uses the one with the
-   largest divisor (Shepperd 1978).
+/* The quaternion q of length 1, with w >= 0, that has the rotation matrix c. The comment of vm_quat_to_matrix
+   describes c. The error is within 4 eps. For a rotation by a small angle it is within 4 eps times this angle.
+   Rounding errors of c cause errors of the same size in q. There are four formulas for q, each with a division; the
+   function uses the formula with the largest divisor, because its rounding errors are smallest (Shepperd 1978).
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if an entry of c is infinite or NaN, VM_DOMAIN if c is not
-   a rotation matrix even to two digits (for example a reflection), and VM_OK otherwise. */
+   close to a rotation matrix (for example if c is a reflection), and VM_OK otherwise. */
 VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
 {
     vm_real v[4], trace; /* v: a multiple of the quaternion w, x, y, z */
@@ -155,12 +156,12 @@ VM_API int vm_quat_from_matrix(const vm_real c[9], vm_quat *q)
     return VM_OK;
 }
 
-/* Modified Rodrigues parameters of an attitude. They are the unit vector along the axis of the rotation, times the
-   tangent of a quarter of the angle. q and -q are the same attitude; the function uses the one with w >= 0. The angle
-   is then at most pi, and the length of the parameters p is at most 1, apart from rounding. The other set of parameters
-   of the same attitude (the shadow set) is -p/|p|^2. At an angle of pi, where w = 0, both sets have the same length;
-   the result is then (x, y, z)/|q|. The relative error of each component is within 4 eps. If a number of q is infinite
-   or NaN, the result is NaN. */
+/* Modified Rodrigues parameters of an attitude. These three parameters are the components of the unit vector along the
+   axis of the rotation, times the tangent of a quarter of the angle. q and -q are the same attitude; the function uses
+   the quaternion whose w is >= 0. The angle is then at most pi, and the length of the parameters p is at most 1, apart
+   from rounding. The other set of parameters of the same attitude (the shadow set) is -p/|p|^2. At an angle of pi,
+   where w = 0, both sets have the same length; the result is then (x, y, z)/|q|. The relative error of each component
+   is within 4 eps. If a number of q is infinite or NaN, the result is NaN. */
 VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
 {
     vm_real divisor;
@@ -171,10 +172,10 @@ VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
     return vmi_over(vmi_quat_vector(q), divisor);
 }
 
-/* The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length. The number
-   w of the result is negative if |p| > 1, where the angle of the rotation is above pi. The relative error of each
-   component of the result is within 8 eps. This holds for w, too, if the angle is close to pi and w is small, because 1
-   - |p|^2 is computed with twice the digits. If a parameter is infinite or NaN, the result is NaN. */
+/* The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length. If the
+   length |p| is above 1, the angle of the rotation is above pi, and w of the result is negative. The relative error of
+   each component of the result is within 8 eps. This holds even for a small w, at an angle close to pi, because the
+   function computes 1 - |p|^2 with twice the digits. If a parameter is infinite or NaN, the result is NaN. */
 VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 {
     vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */

@@ -1,10 +1,11 @@
 /* mechanics/axle.h - jumps of a body that turns about a fixed axle
 
-   A body on a fixed axle can only turn about it. When a part separates from the body, or another body is attached to
-   it, the axle exerts an impulse on it. Therefore only the balance of the angular momentum about the axle determines
-   the motion. This generalizes the pendulum of (119)-(132) to a body and an axle of any shape, place and direction.
-   The results are the motion of the body after the jump and the impulse of the axle. With n = 0 parts, the functions
-   compute the motion of a body after an impulse has hit it, or after an axle has caught it in flight.
+   A body on a fixed axle can only turn about this axle. When a part separates from the body, or another body is
+   attached to it, the axle exerts an unknown impulse on the body. Therefore only the balance of the angular momentum
+   about the axle determines the motion. The pendulum of the equations (119)-(132) of the dissertation [1] is a special
+   case. Here the body may have any shape, and the axle any position and direction. The results are the motion of the
+   body after the jump and the impulse of the axle. With n = 0 parts, the functions compute the motion of a body after
+   an impulse has hit it, or after an axle has caught it in flight.
 
        vm_axle hinge = {{0, 0, 0}, {0, 0, 1}};                       // through the origin, along z
        vm_body door = {20, {2, 2, 2, 0, 0, 0}, {1, 0, 0, 0}, {0.5, 0, 0}, {0, 1, 0}, {0, 0, 2}};
@@ -14,13 +15,14 @@
 
    The equations. e is the unit vector along the axle, which passes through the point O. All motions are measured in a
    frame that turns about the axle at the rate w = e . omega, where omega is the angular velocity of the body before the
-   jump. The balances of momentum and angular momentum hold in this frame, too (42). If the body turned about the axle
-   before the jump, it was at rest in this frame. Let P be the sum of the momenta of the body before the jump, of all
-   bodies that join (+) or leave (-), and of the external impulse; let L be the sum of their angular momenta about O.
-   Let I be the inertia of the body after the jump about O. Then the jump increases the angular velocity w of the body
-   about the axle by (e . L)/(e . I e). The axle exerts the impulse M1 v1 - P at O, where M1 is the mass of the body
-   after the jump and v1 the velocity of its mass centre in the frame. The axle also exerts a couple, which is
-   orthogonal to the axle.
+   jump. The balances of momentum and angular momentum have the same form in this frame as in an inertial frame (42).
+   If the body turned about the axle before the jump, it was at rest in this frame. Let P be the momentum of the body
+   before the jump, plus the momenta of the bodies that join, minus those of the bodies that leave, plus the external
+   impulse. Let L be the corresponding sum of the angular momenta about O and of the moment of the impulse. Let I be
+   the inertia of the body after the jump about O. Then the jump increases the angular velocity w of the body about the
+   axle by (e . L)/(e . I e). The axle exerts the impulse M1 v1 - P at O, where M1 is the mass of the body after the
+   jump and v1 the velocity of its mass centre in the frame. The axle also exerts a couple, which is orthogonal to the
+   axle.
    Tests: tests/test_axle.c. */
 #ifndef VARMASS_MECHANICS_AXLE_H
 #define VARMASS_MECHANICS_AXLE_H
@@ -35,7 +37,7 @@
 /* A fixed axle without friction */
 typedef struct VM_TAG(vm_axle) {
     vm_vec3 at;   /* a point O of the axle, m */
-    vm_vec3 axis; /* its direction, of any length > 0; angular velocities are positive about it */
+    vm_vec3 axis; /* direction of the axle, a vector of any length > 0; positive rotations are right-handed about it */
 } vm_axle;
 
 /* The sums P and L of the equations above, relative to the turning frame: `linear` is the momentum P (N s), and
@@ -45,7 +47,7 @@ typedef struct VM_TAG(vmi_axle_sum) {
     vm_vec3 linear, angular, arm;
 } vmi_axle_sum;
 
-/* The angular momentum of a body that turns with the angular velocity omega, about its own mass centre */
+/* The angular momentum, about the mass centre of a body, that the body has if its angular velocity is omega */
 VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
 {
     const vmi_mat3 turn = vmi_rotation(body->q);
@@ -64,7 +66,7 @@ VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, v
 
 /* The vector from the point O to the mass centre of a body after the jump. `mass` is the mass of the body after the
    jump. The function adds only differences of positions. Far from the origin the position of the new mass centre would
-   be rounded, and its difference from O would lose digits. */
+   be rounded, so that its difference from O would lose digits. */
 VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body *others, vm_real sign, vm_real mass)
 {
     vm_vec3 shift = {0, 0, 0};
@@ -144,12 +146,13 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
    `parts` must contain the motions that the parts have after the separation. The external impulse, if there is one,
    acts during the separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point
    axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the motion
-   of the rest does not change. With n = 0 only the impulse acts. If the whole did not turn about the axle before the
-   separation, the axle catches it at this instant. The error of the angular velocity is a few eps times s divided by
-   the inertia about the axle. Here s is the sum of the absolute values of the terms of e . L; e and L are explained at
-   the top of mechanics/axle.h. Returns VM_OK, an error status of vm_separate_all, VM_DOMAIN if axle->axis is 0, and
-   VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but would need angular momentum about it. The rest then
-   turns as the whole did. The pointer `rest` may be equal to `whole`. */
+   of the rest does not change. With n = 0 no part leaves, and only the impulse acts. If the whole did not turn about
+   the axle before the separation, the axle catches the body at the instant of the separation. The error of the angular
+   velocity is a few eps times s divided by the inertia about the axle. Here s is the sum of the absolute values of the
+   terms of e . L; e and L are explained at the top of mechanics/axle.h. Returns VM_OK, an error status of
+   vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but
+   would need angular momentum about it. In the last case the rest turns as the whole did. The pointer `rest` may be
+   equal to `whole`. */
 VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
                                const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
 {

@@ -1,7 +1,7 @@
 /* mechanics/bodies.h - bodies in space and in the plane, their momenta and energy before and after a jump
    A vm_body is a body at an instant: mass, inertia, attitude, position and motion. A vm_body2 is a body that moves in
-   the plane. This chapter computes momentum (1)-(3), angular momentum (7)-(9) and kinetic energy (93), (97), and
-   compares their values before and after an instant, (4)-(6), (10)-(12). The functions for the plane are in bodies2.h.
+   the plane. The equations (1)-(3), (7)-(9), (93), (97) of the dissertation [1] give momentum, angular momentum and
+   kinetic energy, and (4)-(6), (10)-(12) compare them before and after a jump. bodies2.h has the plane's functions.
 
        vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
@@ -49,17 +49,17 @@ typedef struct VM_TAG(vm_impulse2) {
     vm_real x, y;   /* the point at which jx, jy act, m */
 } vm_impulse2;
 
-/* The balance across an instant: total momentum, angular momentum and energy of the bodies after the instant minus
-   those before it. The external impulse and its moment are subtracted, too. If the bodies obey the laws of mechanics,
-   the changes of momentum and angular momentum are therefore zero, except for rounding errors. */
+/* The balance of a jump: the total momentum, angular momentum and energy of the bodies after the jump, minus the
+   totals of the bodies before the jump. The external impulse and its moment are also subtracted. Therefore the changes
+   of momentum and angular momentum are zero, except for rounding errors, if the bodies obey the laws of mechanics. */
 typedef struct VM_TAG(vm_balance) {
     vm_vec3 momentum;               /* change of momentum, N s: (6), (20), (21) */
     vm_vec3 angular_momentum;       /* change of angular momentum about a point, N m s: (12), (17), (22) */
-    vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the size of the impulse, N s */
+    vm_real momentum_scale;         /* the sum of mass times speed over all bodies, plus the impulse's size, N s */
     /* The rounding error of angular_momentum is a few eps times this scale, N m s. The scale is the sum over all bodies
        of tr(I) |omega| + (|r| + |r - about|) M |v|, plus a term for the impulse. A body has the inertia I (trace
        tr(I)), the mass M, the position r, the velocity v and the angular velocity omega; `about` is the point of the
-       moments. The term |r| M |v| is there because r has the rounding error eps |r|. */
+       moments. The term |r| M |v| belongs to the scale because r has the rounding error eps |r|. */
     vm_real angular_momentum_scale;
     vm_real energy;                 /* kinetic energy after minus before, J: (94) - (93) */
 } vm_balance;
@@ -100,8 +100,8 @@ VM_API vm_real vm_kinetic_energy(const vm_body *body)
 
 /* ---- conversion of bodies between the plane and space ---- */
 
-/* Converts a body that moves in the plane to a body in space, with inertial axes as its body axes. Only the entry zz of
-   its inertia is set, because motion in the plane needs no other entry. */
+/* Converts a body that moves in the plane to a body in space. The body axes of the result are parallel to the inertial
+   axes. Only the entry zz of its inertia is set, because motion in the plane needs no other entry. */
 VM_API vm_body vmi_body_to_space(const vm_body2 *body)
 {
     vm_body b = {0, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
@@ -113,7 +113,7 @@ VM_API vm_body vmi_body_to_space(const vm_body2 *body)
     return b;
 }
 
-/* Converts a body in space to a body that moves in the plane, with this angle. Other motion is ignored. */
+/* Converts a body in space to a body in the plane with the given angle. Motion out of the plane is ignored. */
 VM_API vm_body2 vmi_body_to_plane(const vm_body *b, vm_real angle)
 {
     vm_body2 flat;
@@ -248,12 +248,12 @@ VM_API int vmi_balance_is_finite(const vm_balance *b)
            vmi_vec3_is_finite(b->momentum) && vmi_vec3_is_finite(b->angular_momentum);
 }
 
-/* Balance of momentum, angular momentum and energy across an instant. *balance gets the sums over the n_after bodies
-   after the instant, minus the sums over the n_before bodies before it, minus the impulse, (4)-(6), (10)-(12). If no
-   momentum is lost, the changes of momentum and of angular momentum about any point are zero except for rounding
-   errors, which are a few eps times momentum_scale and angular_momentum_scale. Either number of bodies may be 0. The
-   bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a negative number of bodies, VM_NOT_FINITE if a
-   sum is not finite, and VM_OK otherwise. */
+/* Balance of momentum, angular momentum and energy before and after a jump. *balance gets the sums over the n_after
+   bodies after the jump, minus the sums over the n_before bodies before the jump, minus the impulse, (4)-(6),
+   (10)-(12). If the motions obey the laws of mechanics, the changes of momentum and of angular momentum about any
+   point are zero except for rounding errors, which are a few eps times momentum_scale and angular_momentum_scale.
+   Either number of bodies may be 0. The bodies are not checked. Returns VM_BAD_ARGUMENT for a null pointer or a
+   negative number of bodies, VM_NOT_FINITE if a sum is not finite, and VM_OK otherwise. */
 VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, const vm_body *after,
                               const vm_impulse *external_or_NULL, vm_vec3 about, vm_balance *balance)
 {

@@ -1,6 +1,6 @@
 /* mechanics/bodies2.h - momentum and energy of bodies in the plane, and their conversion to bodies in space
-   In the plane, (35)-(39), a body has one moment of inertia and one angular velocity. The type of such a body,
-   vm_body2, is in bodies.h.
+   In the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
+   dissertation [1]. The type of such a body, vm_body2, is in bodies.h.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
        vm_real T = vm_kinetic_energy2(&plate);      // (2 3^2 + 0.1 8^2)/2 = 12.2 J

@@ -3,15 +3,15 @@
    The rotor is a disc on a massless elastic shaft and moves in a plane. A torque drives it, and its rotation is damped
    viscously (section 3.3.2 of the dissertation [1]). Before the break the shaft passes through the rotor's mass centre
    (s = 0). After the break the shaft's centre is at the distance s from the mass centre of the remainder. This chapter
-   has the equations of motion (46), (65)-(68), their polar form (75), and the equations of the break (52)-(64),
-   corrected as in docs/errata.md. The motion in closed form is in mechanics/broken_rotor_motion.h, and the stability of
-   the remainder's steady motion is in mechanics/broken_rotor_stability.h.
+   has the equations of motion (46), (65)-(68) of [1], their polar form (75), and the equations of the break (52)-(64),
+   corrected as in docs/errata.md. The motion in closed form is in mechanics/broken_rotor_motion.h, and the stability
+   of the remainder's steady motion is in mechanics/broken_rotor_stability.h.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0}; // the fields in their order below
        vm_broken_rotor_piece piece = {VM_C(0.1), VM_C(0.001), VM_C(0.5), 0, VM_C(0.6), 0};
        vm_broken_rotor_break result;
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
-       int status = vm_broken_rotor_break_off(&whole, y, &piece, &result); // result.rest moves on from result.state
+       int status = vm_broken_rotor_break_off(&whole, y, &piece, &result); // result.rest starts from result.state
 
    Tests: tests/test_broken_rotor.c. */
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_H
@@ -75,8 +75,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
     vm_broken_rotor rest; /* the remainder, with its own mass, inertia and s = m SS2/(M - m); its stiffness, damping
                              and torque are those of the whole */
     /* The state of the remainder just after the break. The remainder's angle psi is the angle of SS2, because the line
-       from S1 to the shaft's centre is parallel to SS2. Its angular velocity is spin_rest plus the angular velocity
-       Omega_b of the whole before the break [(59), (64) corrected]. */
+       from S1 to the shaft's centre is parallel to SS2. The remainder's angular velocity is spin_rest plus the angular
+       velocity Omega_b of the whole before the break [(59), (64) corrected]. */
     vm_real state[VM_BROKEN_ROTOR_STATES];
     vm_real piece[VM_BROKEN_ROTOR_STATES]; /* state of the piece; its angle psi is that of the remainder */
     vm_real dragging;                      /* speed v_S2d of S2, the piece's mass centre, before the break (52), m/s */
@@ -90,14 +90,16 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
                                               velocity of S2 before the break, m/s. T > 0 means counterclockwise; (55)
                                               has the opposite sign. */
     vm_real spin_piece;                    /* Omega_r = T/AS2 (57), (63), the angular velocity of the piece after the
-                                              break minus that of the whole before it, rad/s; AS2 is a distance */
-    vm_real spin_rest;                     /* Omega_r1, the angular velocity of the remainder after the break minus that
-                                              of the whole before it, rad/s. I_S1 Omega_r1 is m M/(M - m) times
-                                              the cross product SS2 x v_T, minus I_S2 Omega_r. v_T is the part of the
-                                              velocity of S2 perpendicular to S2A [(58) corrected]. */
-    vm_real stop_inertia;                  /* the inertia I_S2 of the piece for which the remainder would stop turning,
-                                              kg m^2. If the value is < 0 or not finite, no such inertia exists. For
-                                              alpha = 0 the value is I_S (R - SS2)/R [after (64), corrected]. */
+                                              break minus that of the whole before the break, rad/s; AS2 is the
+                                              distance of A from S2 */
+    vm_real spin_rest;                     /* Omega_r1, the angular velocity of the remainder after the break minus
+                                              that of the whole before the break, rad/s. I_S1 Omega_r1 is m M/(M - m)
+                                              times the cross product SS2 x v_T, minus I_S2 Omega_r. v_T is the part of
+                                              the velocity of S2 perpendicular to S2A [(58) corrected]. */
+    vm_real stop_inertia;                  /* If the piece had this inertia I_S2, kg m^2, the remainder would not turn
+                                              after the break. If the value is < 0 or not finite, no such inertia
+                                              exists. For alpha = 0 the value is I_S (R - SS2)/R [after (64),
+                                              corrected]. */
 } vm_broken_rotor_break;
 
 /* Returns VM_OK if all fields of the rotor are finite and have the signs that vm_broken_rotor demands, else the
@@ -263,8 +265,8 @@ VM_API void vmi_broken_rotor_moved(const vm_real *before, vm_real psi, vm_real d
     state[VM_BROKEN_ROTOR_OMEGA] = omega + spin;
 }
 
-/* Sets the fields of the remainder *rest, among them its mass, its inertia and its s. Returns VM_BAD_INERTIA if its
-   inertia is negative or not larger than rounding errors, else VM_OK. */
+/* Sets the fields of the remainder *rest, among them mass, inertia and s. Returns VM_BAD_INERTIA if the inertia of the
+   remainder is negative or not larger than rounding errors, else VM_OK. */
 VM_API int vmi_broken_rotor_rest(const vm_broken_rotor *whole, const vm_broken_rotor_piece *p, vm_broken_rotor *rest)
 {
     const vm_real lost = 8 * VM_EPSILON, left = whole->mass - p->mass, share = p->mass / left;
@@ -309,8 +311,8 @@ VM_API vm_real vmi_broken_rotor_contact(const vm_broken_rotor *whole, const vm_b
    - VM_NOT_FINITE if an argument, or a field of *result other than stop_inertia, is infinite or NaN;
    - VM_BAD_MASS if the mass of the piece is not between 0 and the mass of the whole;
    - VM_BAD_STIFFNESS if the stiffness is negative;
-   - VM_BAD_INERTIA if the inertia of the whole is not positive, if that of the piece is negative, or if that of the
-     remainder is negative or not larger than rounding errors;
+   - VM_BAD_INERTIA if the inertia of the whole is not positive, if the inertia of the piece is negative, or if the
+     inertia of the remainder is negative or not larger than rounding errors;
    - VM_DOMAIN if the whole has s != 0, or if the piece's mass centre is at the point of contact A;
    - VM_OK otherwise. */
 VM_API int vm_broken_rotor_break_off(const vm_broken_rotor *whole, const vm_real *before,

@@ -1,11 +1,11 @@
 /* mechanics/broken_rotor_motion.h - motion of the broken rotor in closed form
 
    This chapter computes the state of the rotor after a given time without an integrator. Before the break the shaft
-   passes through the mass centre, and the solution (46)-(51) is exact (vm_broken_rotor_free_motion). After the break
-   the linearised equations (69) are a good approximation for short times, while the angle psi of the remainder is
-   small. vm_broken_rotor_linear solves these equations completely. vm_broken_rotor_linear_uncoupled has the solution
-   (70)-(72) of the dissertation [1], which leaves out the term s p^2 omega^2 y. For long times integrate
-   vm_broken_rotor_rhs.
+   passes through the mass centre, and the solution (46)-(51) of the dissertation [1] is exact
+   (vm_broken_rotor_free_motion). After the break the linearised equations (69) are a good approximation for short
+   times, while the angle psi of the remainder is small. vm_broken_rotor_linear solves all three equations.
+   vm_broken_rotor_linear_uncoupled has the solution (70)-(72), which leaves out the term s p^2 omega^2 y of the third
+   equation. For long times integrate vm_broken_rotor_rhs.
 
        vm_broken_rotor whole = {2, 1, 20, 1, 3, 0};
        vm_real y[VM_BROKEN_ROTOR_STATES] = {VM_C(0.01), 0, 0, 0, 0, 3};
@@ -55,8 +55,8 @@ VM_API vmi_broken_rotor_linear vmi_broken_rotor_reduced(const vm_broken_rotor *r
     return a;
 }
 
-/* Returns an upper bound, in 1/s, of the rates at which solutions of the linearised equations grow, decay or oscillate.
-   The Taylor series of vmi_broken_rotor_series converges fast for times up to 1/(this bound). */
+/* Returns an upper bound, in 1/s, of the rates at which solutions of the linearised equations grow, decay or
+   oscillate. For times up to 1 divided by this bound, the Taylor series of vmi_broken_rotor_series converges fast. */
 VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
 {
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
@@ -93,11 +93,11 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
     }
 }
 
-/* Replaces the matrix m for some time by the matrix for twice this time. m describes how the states z change within its
-   time: row m[j] is the change of states that start from z[j] = 1 and all other z = 0, without torque. The last row of
-   m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E converts the
-   states at the start into the states at the end of the time. The matrix for twice the time is therefore (m + E)^2 - E
-   = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
+/* Replaces the matrix m for some time by the matrix for twice this time. m describes how the states z change within
+   this time. Row m[j] is the change of the states without torque, if z[j] = 1 and all other z = 0 at the start. The
+   last row of m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E
+   converts the states at the start into the states at the end of the time. The matrix for twice the time is therefore
+   (m + E)^2 - E = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -164,8 +164,8 @@ VM_API vm_real vmi_broken_rotor_less_sine(vm_real w, vm_real sine)
     return w * sum;
 }
 
-/* Functions of the time t that describe a free oscillation with the angular frequency w. If w is 0, the fields are the
-   limits of these functions as w tends to 0. */
+/* The values, at the time t, of functions that describe a free oscillation with the angular frequency w. For w = 0 the
+   fields are the limits of these functions as w tends to 0. */
 typedef struct VM_TAG(vmi_broken_rotor_swing) {
     vm_real c;    /* cos(w t) */
     vm_real c1;   /* 1 - cos(w t) */
@@ -192,12 +192,12 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
 }
 
 /* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
-   Where the dissertation [1] has k* Omega, this function has M*. This function is used if |t| times
-   vmi_broken_rotor_rate exceeds 1. Let w = omega and k = k*. The initial angle is psi0, and its initial rate is rate0.
-   Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the
-   derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the
-   response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and
-   w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+   The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if |t|
+   times vmi_broken_rotor_rate exceeds 1. Let w = omega and k = k*. The initial angle is psi0, and its initial rate is
+   rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt)
+   is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2
+   give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1
+   for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -259,10 +259,10 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
 /* State of the remainder t seconds after the state `start`, by the complete linearised equations (69).
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
-   as start. The fields damping, stiffness and s may be 0. If all inputs, t included, were rounded, the result would
-   change; the error of the function is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer;
-   VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the
-   inertia of the rotor is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
+   as start. The fields damping, stiffness and s may be 0. Rounding of all inputs, t included, would change the result;
+   the error of the function is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if
+   an argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor
+   is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
@@ -270,8 +270,8 @@ VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const
 
 /* State of the remainder t seconds after the state `start`, by the solution (70)-(72), which lacks one term of (69).
    The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. Use this
-   function only to compare [1] with vm_broken_rotor_linear. If all inputs were rounded, the result would change; the
-   error of the function is at most this change. The arguments and the statuses are those of vm_broken_rotor_linear. */
+   function only to compare [1] with vm_broken_rotor_linear. Rounding of all inputs would change the result; the error
+   of the function is at most this change. The arguments and the statuses are those of vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
@@ -279,8 +279,8 @@ VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_rea
 
 /* State of the unbroken rotor t seconds after the state `start`, by the exact solution (46)-(51).
    t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array as
-   start. The fields damping and stiffness may be 0. If all inputs, t included, were rounded, the result would change;
-   the error of the function is at most this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   start. The fields damping and stiffness may be 0. Rounding of all inputs, t included, would change the result; the
+   error of the function is at most this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
    argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is
    not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_DOMAIN if s is not 0; VM_OK otherwise. */
 VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
@@ -291,8 +291,8 @@ VM_API int vm_broken_rotor_free_motion(const vm_broken_rotor *rotor, vm_real t, 
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end); /* for s = 0 the linearised equations are exact (46) */
 }
 
-/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m. They are written to the array abcd of 4
-   numbers. The orbit of the mass centre is, with w^2 = stiffness/mass and w > 0,
+/* Constants A0, B0, C0, D0 (51) of the unbroken rotor's elliptic orbit, m. The function writes these constants to the
+   array abcd of 4 numbers. The orbit of the mass centre is, with w^2 = stiffness/mass and w > 0,
      x + i y = (A0 + i B0) exp(i w t) + (C0 + i D0) exp(-i w t).                                                   (50)
    Its semi-axes are the sum and the absolute difference of |A0 + i B0| and |C0 + i D0|. The speed of the mass centre at
    the time t, which the dissertation [1] prints wrongly after (52), is

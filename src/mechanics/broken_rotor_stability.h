@@ -1,12 +1,12 @@
 /* mechanics/broken_rotor_stability.h - steady motion of the broken rotor, its stability, growth at resonance
 
    After the break the remainder can turn steadily at the angular velocity psi' = Omega, with its mass centre on a
-   circle (76), (77). This chapter computes
+   circle, as in the equations (76), (77) of the dissertation [1]. This chapter computes
      - the radius of this circle,
      - the characteristic polynomial (81) of small deviations from the steady motion, its roots, and the first column of
      Routh's scheme,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
-     - the radius of the orbit of a rotor that starts from rest at or above resonance; this orbit grows.
+     - the radius of the growing orbit of a rotor that starts from rest, if its torque drives it at or above resonance.
    In the formulas, omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia, and s is the field s of the
    rotor. At resonance |Omega| = omega.
 
@@ -30,8 +30,8 @@
 #include "../base/words.h"
 #include "broken_rotor.h"
 
-/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. It is computed as the sum of
-   two numbers, so that its sign is right even if the rotor turns very close to resonance. */
+/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. The function computes it with
+   twice the digits, so that the sign is right even if the rotor turns very close to resonance. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
     const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
@@ -55,8 +55,8 @@ VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_re
     return -rotor->s * (share / (1 - share));
 }
 
-/* The quantities in the polynomial of vm_broken_rotor_characteristic, where D and G are explained: w2 = omega^2, O2 =
-   Omega^2, k = k*, D and G */
+/* The quantities w2 = omega^2, O2 = Omega^2, k = k*, D and G in the polynomial of vm_broken_rotor_characteristic. The
+   comment of that function explains D and G. */
 typedef struct VM_TAG(vmi_broken_rotor_steady) {
     vm_real w2, O2, k, D, G;
 } vmi_broken_rotor_steady;
@@ -89,11 +89,12 @@ enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ }
    of the polynomial. The array c gets the VM_BROKEN_ROTOR_ROOTS + 1 coefficients of the polynomial, that of the highest
    power first:
      l^5 + k* l^4 + (2 (w^2 + O^2) + G) l^3 + 2 k* (w^2 + O^2) l^2 + (D^2 + G (w^2 + 3 O^2)) l + k* D^2,
-   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this polynomial,
-   but its last term is printed without the factor l^2. (81) has the additional root l = 0 because the phase of the
-   steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is
-   infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor is not positive;
-   VM_BAD_STIFFNESS if the stiffness is negative; VM_DOMAIN at resonance, where O^2 = w^2; VM_OK otherwise. */
+   with w = omega, O = Omega, D = w^2 - O^2, G = s^2 p^2 w^4/D. The left side of (81) should be l times this
+   polynomial, but the last term of (81) is printed without the factor l^2. The corrected (81) has the additional root
+   l = 0 because the phase of the steady motion is arbitrary. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE
+   if an argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the
+   rotor is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_DOMAIN at resonance, where O^2 = w^2; VM_OK
+   otherwise. */
 VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real Omega, vm_real *c)
 {
     vmi_broken_rotor_steady a;
@@ -113,7 +114,8 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
 
 /* First column of Routh's scheme of the characteristic polynomial: 1, k*, G, k* D, 4 G Omega^2, k* D^2. The function
    writes these VM_BROKEN_ROTOR_ROOTS + 1 numbers to the array `column`. The steady motion is asymptotically stable if
-   all of them are positive. vm_broken_rotor_characteristic explains the letters k*, G, D and has the same statuses. */
+   all these numbers are positive. vm_broken_rotor_characteristic explains the letters k*, G, D and has the same
+   statuses. */
 VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm_real *column)
 {
     vmi_broken_rotor_steady a;
@@ -133,8 +135,8 @@ VM_API int vm_broken_rotor_routh(const vm_broken_rotor *rotor, vm_real Omega, vm
 
 /* Tests whether the steady motion at psi' = Omega is asymptotically stable (82).
    Returns 1 if Omega^2 < omega^2, damping > 0, s != 0 and Omega != 0, which together are the condition for stability.
-   Returns 0 otherwise, and also for a null pointer and an invalid rotor. (If damping, s or Omega is 0, some motions
-   neither grow nor decay.) */
+   Returns 0 otherwise, and also for a null pointer and an invalid rotor. (If damping, s or Omega is 0, some small
+   deviations from the steady motion neither grow nor decay.) */
 VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega)
 {
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return 0;
@@ -144,8 +146,8 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|. In a pair of
    conjugate roots, the root with im > 0 comes first. If each coefficient changed by the relative amount eps, each root
-   would change; the error of a root is at most twice this change. This holds for the smallest root, too, which near
-   resonance is smaller than the largest root by many orders of magnitude. The statuses are those of
+   would change; the error of a root is at most twice this change. This holds even near resonance for the smallest
+   root, which is there smaller than the largest root by many orders of magnitude. The statuses are those of
    vm_broken_rotor_characteristic. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
@@ -218,10 +220,10 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
      R R' = k* (Omega - omega)/(2 p^2 omega) + k* |s|/(4 p^2 R).
    It follows that
      R = (3 k* |s| t/(4 p^2))^(1/3) at resonance,  R -> (k* (Omega - omega) t/(p^2 omega))^(1/2) above it.
-   |s|/4 is the second term of an expansion of r for large r/|s|, whose first term is R. Terms of order s^2/r and the
-   time until psi' reaches omega are neglected. The resulting error is small: for the rotor of Fig. 18 (s = 0.5 m,
-   omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the radius of the numerically
-   integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
+   For large r/|s| the radius r can be expanded in a series, whose first term is R and whose second term is |s|/4.
+   Terms of order s^2/r and the time until psi' reaches omega are neglected. The resulting error is small: for the
+   rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the
+   radius of the numerically integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
    Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
    R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)

@@ -1,21 +1,21 @@
 /* mechanics/drum.h - a band that winds up on a drum
 
-   A band that arrives at a constant velocity winds up on a drum. The mass and the inertia of the drum with its band
+   A band that arrives at a constant velocity winds up on a drum. Therefore the total mass and inertia of drum and band
    grow (section 5.2 and Fig. 20 of the dissertation [1]). This chapter has
      - the geometry (181)-(188),
      - the exact equations of motion, and the reduced equations (192)-(193) of [1],
      - the motion on a rigid shaft in closed form (194)-(206),
-     - the vibrations of an elastic shaft (210)-(226), with the unbalance that [1] leaves out, and how they change the
-       angular velocity.
+     - the vibrations of an elastic shaft (210)-(226), with the unbalance that [1] leaves out, and the change of the
+       angular velocity by these vibrations.
 
    The band moves at the velocity v along y and touches the drum first at the point S + (R, 0), where S is the centre of
    the shaft and R the radius of the drum. After the drum has turned by the angle phi, the band covers the arc from 0 to
-   phi. The mass centre of this arc lies in the direction phi/2 from S. R stays constant, because only the first layer
-   of the band, 0 <= phi <= 2 pi, is considered.
+   phi. The mass centre of this arc lies in the direction of the angle phi/2 from S. The radius R stays constant,
+   because only the first layer of the band, 0 <= phi <= 2 pi, is considered.
 
    The letters of the formulas are explained at the fields of vm_drum. Two other letters are j = mu R^2 (186), the
-   inertia of the band per angle, and e = mu v R - D. If e > 0, the band drives the drum. If e < 0, the drum comes to
-   rest.
+   inertia of the band per radian of phi, and e = mu v R - D, the driving torque of the band minus the damping, both
+   divided by phi'. If e > 0, the band drives the drum. If e < 0, the drum comes to rest.
 
        vm_drum drum = {VM_C(0.2), 50, 1, VM_C(0.05), 10, VM_C(0.02), VM_C(1e5), 40}; // in the order of the fields
        vm_real angle = vm_drum_angle(&drum, 1); // rad, after 1 s on a rigid shaft
@@ -38,7 +38,7 @@ typedef struct VM_TAG(vm_drum) {
     vm_real radius;    /* radius R of the drum, m */
     vm_real mass;      /* mass M0 > 0 of the empty drum, kg */
     vm_real inertia;   /* moment of inertia J0 > 0 of the empty drum about its axle, kg m^2 */
-    vm_real band;      /* mass mu >= 0 of the band per angle, kg/rad; vm_drum_band computes it */
+    vm_real band;      /* mass mu >= 0 of the band per radian of phi, kg/rad; vm_drum_band computes mu */
     vm_real speed;     /* velocity v of the band, m/s */
     vm_real damping;   /* damping D of the rotation, N m s */
     vm_real stiffness; /* stiffness c >= 0 of the shaft, N/m */
@@ -82,7 +82,7 @@ enum {
 typedef struct VM_TAG(vm_drum_shaft) {
     vm_real k;     /* angular frequency sqrt(c/M0) of the shaft with the empty drum, divided by Omega_b */
     vm_real delta; /* damping, 1/rad: (mu/M0 + e/(J0 Omega_b) - j/J0)/2. The coefficient printed in (213) is wrong. */
-    vm_real A;     /* relative decrease of the squared frequency per angle, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b).
+    vm_real A;     /* relative decrease of the squared frequency per radian, 1/rad: mu/M0 - 2 j/J0 + 2 e/(J0 Omega_b).
                       The value in (213) is wrong. */
     vm_real shift; /* displacement mu v/(M0 Omega_b k^2), m. The deflection y oscillates about shift/(1 - A phi). */
 } vm_drum_shaft;
@@ -196,9 +196,9 @@ VM_API int vm_drum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 
 /* Right-hand side of the equations of motion of the drum on an elastic shaft, for a light band, (192), (193).
    Its type is ode_rhs. The state y has VM_DRUM_STATES numbers. `drum` must point to a vm_drum. If the mass mu of the
-   band per angle is small, the equations of vm_drum_rhs can be reduced to (192), (193). Unlike (192), this function
-   contains the force mu R phi'^2 (sin phi, -cos phi) of the unbalance, because it is of the same order as the terms
-   that (192) keeps. The statuses are those of vm_drum_rhs. */
+   band per angle is small, the equations of vm_drum_rhs can be reduced to (192), (193). The unbalance of the band
+   causes the force mu R phi'^2 (sin phi, -cos phi). (192) leaves out this force, but this function contains it,
+   because it is of the same order as the terms that (192) keeps. The statuses are those of vm_drum_rhs. */
 VM_API int vm_drum_rhs_reduced(vm_real t, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -236,8 +236,8 @@ VM_API vm_two vmi_drum_j(const vm_drum *d)
     return vmi_two_times(vmi_two_product(d->band, d->radius), vmi_two(d->radius, 0));
 }
 
-/* The drive e = mu v R - D in two words, that is, as the sum of two vm_reals. It is computed as the sum of three
-   vm_reals, so that all digits are right even if mu v R and D nearly cancel. */
+/* The drive e = mu v R - D in two words, that is, as the sum of two vm_reals. The function first computes e as the sum
+   of three vm_reals, so that all digits are right even if mu v R and D nearly cancel. */
 VM_API vm_two vmi_drum_e(const vm_drum *d)
 {
     const vm_two band = vmi_two_product(d->band, d->radius);
@@ -255,9 +255,10 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
 /* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
    J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
    mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
-   drum's fields are taken as exact and products of the fields do not overflow or underflow. This holds for e = 0 and
-   e = j Omega_b, too, and for all angles up to the stop, at which the drum comes to rest (vm_drum_stop). Returns NaN
-   beyond the stop, for phi < 0, for a null pointer, and if inertia or omega is not positive or band is negative. */
+   drum's fields are taken as exact and products of the fields do not overflow or underflow. These bounds hold for all
+   angles up to the stop, the angle at which the drum comes to rest (vm_drum_stop). They hold for e = 0 and e = j
+   Omega_b, too. Returns NaN beyond the stop, for phi < 0, for a null pointer, and if inertia or omega is not positive
+   or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
@@ -270,9 +271,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 
 /* Right-hand side of the equations of the shaft's vibration as a function of the angle phi, (210), (211).
    Its type is ode_rhs. The state y has VM_DRUM_ANGLE_STATES numbers. `drum` must point to a vm_drum. The independent
-   variable is the angle phi instead of time. The drum has the angular velocity phi' that it would have on a rigid shaft
-   (196). Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi; else a
-   status of vm_drum_rhs. */
+   variable is the angle phi instead of time. The angular velocity phi' is taken from the drum on a rigid shaft (196).
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi; else a status
+   of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -304,9 +305,9 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
      M u (u x')' = -c x - mu u^2 x' + mu R u^2 sin phi
      M u (u y')' = -c y + mu u (v - u y') - mu R u^2 cos phi
      J_S u' = e - j u - mu R u y',   t' = 1/u
-   The letters are those of vm_drum_rhs; e = mu v R - D and j = mu R^2. The terms with sin phi and cos phi come from the
-   unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_BAD_ARGUMENT for a null
-   pointer; VM_DOMAIN if u is not positive; else a status of vm_drum_rhs. */
+   The letters are explained at vm_drum_rhs; e = mu v R - D and j = mu R^2. The terms with sin phi and cos phi come
+   from the unbalance, which [1] leaves out. vm_drum_rhs_reduced gives the same motion. Returns VM_BAD_ARGUMENT for a
+   null pointer; VM_DOMAIN if u is not positive; else a status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_coupled(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -368,8 +369,8 @@ VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 /* Returns a start value of p for Newton's method in vm_drum_angle. The comment of vm_drum_angle has the equation for p
    and explains a, b, f, x, y. For a = 0 the term f^2 (x - y)/x^2 of this equation is p^2/2, and the equation has the
    solution p0 = 2/(1 + sqrt(1 + 2 b)), called p in the code. For a > 0 both p0 and ln(1 + a p0 + a^2/b)/a are larger
-   than the solution, and the function takes the smaller one. For a < 0 both p0 and |a|/(|a| + b) are smaller than the
-   solution, and the function takes the larger one. */
+   than the solution, and the function takes the smaller of these two numbers. For a < 0 both p0 and |a|/(|a| + b) are
+   smaller than the solution, and the function takes the larger of these two. */
 VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 {
     const vm_real p = 2 / (1 + VM_SQRT(1 + 2 * b));
@@ -381,9 +382,9 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. Unlike vm_drum_angle_lambert, the
    function need not choose a branch of Lambert's W.
-   The comment of vm_drum_rate says how accurate the result is and when it is NaN, and explains the letters J0,
-   Omega_b, e, j. The method uses x, y, a, b, f: x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b
-   t/J0, f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
+   The comment of vm_drum_rate says how accurate the result is and when the result is NaN. It also explains the letters
+   J0, Omega_b, e, j. The method uses the numbers x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0
+   and f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any
    start value. */
@@ -418,10 +419,10 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
    The letters J0, Omega_b, e, j are explained at vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b)
    and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with
-   x = -exp(-f1/k1)/k1. It needs the branch W_-1 of W for 0 < k1 < 1, and the branch W_0 for other k1. This function
-   serves only for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits,
-   because x approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows near
-   k1 = 0 (for k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
+   x = -exp(-f1/k1)/k1. W is the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function serves only
+   for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits, because x
+   approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows for small k1 (for
+   k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -494,9 +495,9 @@ VM_API int vmi_drum_wave_at(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_r
    where I is the integral of k sqrt(1 - A phi) from 0 to phi. `particular` must be 0 for x and s->shift for y.
    vm_drum_deflection_start computes the amplitude a (m) and the phase alpha (rad) from the deflection and the slope at
    phi = 0, where the deflection is a cos alpha + particular. With m^2 = 1 - A phi the integral is
-   I = 2k/(3A) (1 - m^3). It is computed as (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves out
-   the unbalance of the band; vm_drum_unbalance computes its part of the deflection. Returns NaN for a null pointer and
-   if 1 - A phi <= 0. */
+   I = 2k/(3A) (1 - m^3). It is computed as (2k/3) phi (1 + m + m^2)/(1 + m), which holds for A = 0, too. [1] leaves
+   out the unbalance of the band; vm_drum_unbalance computes the deflection that the unbalance causes. Returns NaN for
+   a null pointer and if 1 - A phi <= 0. */
 VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha, vm_real particular)
 {
     vmi_drum_wave w;
@@ -508,9 +509,9 @@ VM_API vm_real vm_drum_deflection(const vm_drum_shaft *s, vm_real phi, vm_real a
    The deflection is a product of an amplitude and a cosine, plus a particular solution. Its derivative is
      amplitude [(A/(4 m^2) - delta) cos(I + alpha) - k m sin(I + alpha)] + A particular/m^4,   m^2 = 1 - A phi,
    with the letters of vm_drum_deflection. The dissertation [1] leaves out the term with A/4, and its last term is
-   different. The derivative multiplied by the angular velocity phi' is the velocity of the shaft's centre. The absolute
-   error is a few rounding errors of the term amplitude (k m + |delta|), plus the effect of the rounding error of the
-   phase. Returns NaN where vm_drum_deflection does. */
+   different. The derivative multiplied by the angular velocity phi' is the velocity of the shaft's centre. The
+   absolute error is a few rounding errors of the product amplitude (k m + |delta|), plus the effect of the rounding
+   error of the phase. Returns NaN where vm_drum_deflection does. */
 VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_real a, vm_real alpha,
                                         vm_real particular)
 {
@@ -524,10 +525,10 @@ VM_API vm_real vm_drum_deflection_slope(const vm_drum_shaft *s, vm_real phi, vm_
 /* Amplitude and phase (223) of the elastic shaft from deflection and slope at phi = 0.
    `deflection` is x or y (m) when the winding begins, and `slope` is its derivative with respect to phi (m/rad). If you
    know a velocity in m/s, divide it by Omega_b to get the slope. `particular` must be 0 for x and s->shift for y. The
-   function sets *a to the amplitude a >= 0 (m) and *alpha to the phase in [-pi, pi] (rad). They follow from the
-   equations
+   function sets *a to the amplitude a >= 0 (m) and *alpha to the phase in [-pi, pi] (rad). Amplitude and phase follow
+   from the equations
      a cos alpha = deflection - particular,   a k sin alpha = (A/4 - delta) a cos alpha + A particular - slope.
-   The errors are a few rounding errors of the terms on the right-hand sides, divided by k in the second equation.
+   The errors of a cos alpha and of a k sin alpha are a few rounding errors of the terms on the right-hand sides.
    Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN
    if s->k is not positive; VM_OK otherwise. */
 VM_API int vm_drum_deflection_start(const vm_drum_shaft *s, vm_real deflection, vm_real slope, vm_real particular,
@@ -559,17 +560,18 @@ VM_API void vmi_drum_sinc(vm_real x, vm_real *sinc, vm_real *cosine)
 }
 
 /* Deflection of the elastic shaft by the unbalance of the band, which (224), (225) leave out.
-   The band's mass centre is off the shaft, so that (213), (214) need the terms U sin phi and -U cos phi, U = mu R/M0,
-   on their right sides. These terms are of the same order as the term mu v/(M0 Omega_b), which [1] keeps. Add
-   deflection[0] (x) and deflection[1] (y), m, to the two results of vm_drum_deflection, and slope[0], slope[1] (m/rad)
-   to those of vm_drum_deflection_slope. All four numbers are 0 at phi = 0, so that vm_drum_deflection_start needs no
-   change. With k, the field of vm_drum_shaft, the deflections are
+   The band's mass centre is not on the axis of the shaft. Therefore (213) needs the term U sin phi on its right side,
+   and (214) the term -U cos phi, with U = mu R/M0. These terms are of the same order as the term mu v/(M0 Omega_b),
+   which [1] keeps. Add deflection[0] (m) to the result of vm_drum_deflection for x, and deflection[1] to the result
+   for y. Add slope[0] and slope[1] (m/rad) in the same way to the results of vm_drum_deflection_slope. All four
+   numbers are 0 at phi = 0, so that vm_drum_deflection_start needs no change. With k, the field of vm_drum_shaft, the
+   deflections are
      x = U (sin phi - sin(k phi)/k)/(k^2 - 1),   y = -U (cos phi - cos(k phi))/(k^2 - 1).
    At the resonance k = 1 the function computes the limits of these formulas, which grow with phi. phi >= 0 is in rad.
    Let h be the largest of mu/M0, j/J0, |e|/(J0 Omega_b) and the deflections divided by R. The error of the whole
-   deflection is of the order of h^2. The rounding errors are a few eps times U phi (1 + phi), and those of x a few eps
-   times U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is
-   infinite or NaN; VM_DOMAIN if phi is negative; else a status of vm_drum_shaft_init. */
+   deflection is of the order of h^2. The rounding errors of y and of the slopes are a few eps times U phi (1 + phi),
+   and those of x a few eps times U phi (1 + phi)/k. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN; VM_DOMAIN if phi is negative; else a status of vm_drum_shaft_init. */
 VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2], vm_real slope[2])
 {
     vm_drum_shaft s;
@@ -605,8 +607,8 @@ VM_API int vm_drum_unbalance(const vm_drum *d, vm_real phi, vm_real deflection[2
 
 /* Angular velocity phi' on an elastic shaft, rad/s: (196) corrected by the deflection (224).
    `rise` is the deflection y(phi) - y(0) in the band's direction since the winding began, m, for example by
-   vm_drum_deflection and vm_drum_unbalance. If the rim of the drum rises with the band, the band drives the drum
-   less. To the first order in rise the solution of (212) and (215) is
+   vm_drum_deflection and vm_drum_unbalance. If the drum rises in the direction of the band, the band moves more slowly
+   relative to the drum, and therefore drives the drum less. To the first order in `rise`, (212) and (215) give
      phi' = vm_drum_rate [1 - mu R rise/(J0 + j phi)].
    mu is the mass of the band per angle, R the radius, J0 the drum's inertia and j = mu R^2. Let h be the largest of the
    four numbers mu R |rise|/J0, mu/M0, j/J0 and |e|/(J0 Omega_b). The error is of the order of h^2 Omega_b: if all four
@@ -619,8 +621,8 @@ VM_API vm_real vm_drum_rate_elastic(const vm_drum *d, vm_real phi, vm_real rise)
     return rate * (1 - d->band * d->radius * rise / (d->inertia + d->band * d->radius * d->radius * phi));
 }
 
-/* Tests whether the shaft's frequency k sqrt(1 - A phi) stays real while the whole first layer is wound up (226).
-   Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
+/* Tests whether the shaft's frequency k sqrt(1 - A phi) stays real until the first layer is complete (226).
+   The first layer is complete at phi = 2 pi. Returns 1 if A < 1/(2 pi). Returns 0 otherwise, and for a null pointer. */
 VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / (2 * VM_PI); }
 
 #endif

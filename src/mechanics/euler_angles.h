@@ -1,11 +1,12 @@
 /* mechanics/euler_angles.h - Euler's angles
 
-   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. It turns by psi about the z axis, then
-   by theta about its own x axis (the line of nodes), then by phi about its own z axis. The angles of the sequence
-   3-2-1 are yaw, pitch and roll: the body turns by yaw about the z axis, then by pitch about its own y axis, then by
-   roll about its own x axis. This chapter computes
+   The angles psi, theta, phi of the sequence 3-1-3 give the attitude of a body. The body turns by psi about the z
+   axis, then by theta about its own x axis (the line of nodes), then by phi about its own z axis. The angles of the
+   sequence 3-2-1 are yaw, pitch and roll: the body turns by yaw about the z axis, then by pitch about its own y axis,
+   then by roll about its own x axis. This chapter computes
      - for both sequences, the quaternion of three angles and the three angles of a quaternion,
-     - for 3-1-3, the axes about which the angles turn the body; Lagrange's equations need them as domega/dq'_i,
+     - for 3-1-3, the axes about which the angles turn the body. These axes are the derivatives of the angular velocity
+       omega with respect to psi', theta', phi', which Lagrange's equations need,
      - for 3-1-3, the time derivatives psi', theta', phi' of the angles from an angular velocity.
 
        vm_quat q = vm_euler_321(VM_C(0.1), VM_C(0.2), VM_C(0.3)); // yaw, pitch, roll
@@ -54,9 +55,9 @@ VM_API vm_quat vm_euler_321(vm_real yaw, vm_real pitch, vm_real roll)
 }
 
 /* A complex number re + i im. Each part is stored in two words, as the sum of two vm_reals. The quaternion of a
-   sequence of three angles is equivalent to two such numbers, p and r. A complex number has a length and an angle. The
-   angle of p is half the sum of the first and the third angle, and the angle of r is half their difference. The lengths
-   of p and r depend on the middle angle alone. */
+   sequence of three angles is equivalent to two complex numbers, p and r. A complex number has a length and an angle.
+   The angle of p is half the sum of the first and the third angle, and the angle of r is half their difference. The
+   lengths of p and r depend on the middle angle alone. */
 typedef struct VM_TAG(vmi_euler_part) {
     vm_two re, im;
 } vmi_euler_part;
@@ -73,7 +74,7 @@ VM_API vm_real vmi_euler_scale(vmi_euler_part *p)
     return power;
 }
 
-/* The real part of the product p r if sign is 1, or of p times the conjugate of r if sign is -1. */
+/* The real part of the product p r if sign is 1, or of the product of p and the conjugate of r if sign is -1. */
 VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, vm_real sign)
 {
     const vm_two re = vmi_two_times(p->re, r->re), im = vmi_two_times(p->im, r->im);
@@ -82,8 +83,9 @@ VM_API vm_real vmi_euler_real(const vmi_euler_part *p, const vmi_euler_part *r, 
 
 /* Writes the first and the third angle, both from -pi to pi. The first angle is that of the complex number p r, and the
    third angle is that of p times the conjugate of r. `sum` and `difference` are the imaginary parts of these two
-   numbers. The caller computes them, because they would not be accurate if they were computed from p and r. If p or r
-   is 0 (gimbal lock), only the sum or the difference of the two angles is determined; the third angle is then 0. */
+   numbers. The caller computes the imaginary parts, because they would lose digits if this function computed them from
+   p and r. If p or r is 0 (gimbal lock), only the sum or the difference of the two angles is determined; the third
+   angle is then 0. */
 VM_API void vmi_euler_first_and_third(vmi_euler_part p, vmi_euler_part r, vm_real sum, vm_real difference,
                                       vm_real *angles)
 {
@@ -117,7 +119,7 @@ VM_API vm_quat vmi_euler_normal_size(vm_quat q)
 /* Euler's angles psi, theta, phi of the sequence 3-1-3 from an attitude q of any length.
    psi and phi are between -pi and pi, theta between 0 and pi. If theta is exactly 0 or pi, the line of nodes is not
    determined (gimbal lock), and phi is 0. If q is taken as exact, the relative error of each angle is within 4 eps,
-   close to gimbal lock, too. The rotation by the three angles differs from the rotation by q by at most 8 eps.
+   even close to gimbal lock. The rotation by the three angles differs from the rotation by q by at most 8 eps.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
    otherwise. */
 VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
@@ -140,7 +142,7 @@ VM_API int vm_euler_313_angles(vm_quat q, vm_real angles[3])
 
 /* Yaw, pitch and roll of the sequence 3-2-1 from an attitude q of any length, in this order.
    Yaw and roll are between -pi and pi, pitch between -pi/2 and pi/2. If pitch is exactly pi/2 or -pi/2 (gimbal lock),
-   roll is 0. If q is taken as exact, the relative error of each angle is within 4 eps, close to gimbal lock, too. The
+   roll is 0. If q is taken as exact, the relative error of each angle is within 4 eps, even close to gimbal lock. The
    rotation by the three angles differs from the rotation by q by at most 8 eps.
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if a number of q is infinite or NaN, and VM_OK
    otherwise. */

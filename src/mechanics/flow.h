@@ -1,11 +1,13 @@
 /* mechanics/flow.h - a free body in space with streams of mass
 
    This chapter has right-hand sides of equations of motion, for the integrators rk45 and rk87. The body is rigid, and
-   its mass, mass centre and inertia change while it moves. In vm_flow_rhs streams cause these changes (151), (152). In
-   vm_flow_given_rhs mass, mass centre and inertia are given functions of time (170). In vm_flow_carried_rhs they are
-   given functions of time, too, and the mass that is lost or gained moves with the body (166). In vm_flow_rhs and
-   vm_flow_given_rhs momentum and angular momentum are states (numbers to integrate), from which velocity and angular
-   velocity follow. Therefore a momentum that is conserved stays exactly constant, and the rate of a stream may jump.
+   its mass, mass centre and inertia change while it moves. In vm_flow_rhs streams cause these changes, as in the
+   equations (151), (152) of the dissertation [1]. In vm_flow_given_rhs mass, mass centre and inertia are given
+   functions of time (170). In vm_flow_carried_rhs mass, mass centre and inertia are given functions of time, too, and
+   the mass that is lost or gained moves with the body (166). In vm_flow_rhs and vm_flow_given_rhs momentum and angular
+   momentum are states (numbers to integrate), from which velocity and angular velocity follow. Therefore a momentum
+   that is conserved stays exactly constant. The rate of a stream may jump, because momentum and angular momentum do
+   not jump with this rate.
 
        vm_flow flow;
        ode_event empty;
@@ -35,12 +37,12 @@
    r is the position of the mass centre, p = M v the momentum, H the angular momentum about the mass centre, and q the
    attitude as a quaternion. The vector c leads from the reference point to the mass centre, and d = at - c, where `at`
    is the field of vm_stream; all three are in body axes. R is the rotation of q/|q| from body axes to inertial axes.
-   The last term of q' is 0 for |q| = 1. It brings the length of q back to 1 and does not lower the order of an
+   The last term of q' is 0 for |q| = 1. This term brings the length of q back to 1 and does not lower the order of an
    integrator. The dissertation [1] prints I' omega2 in (152) instead of M' kappa omega2.
-   If a stream has a store (vm_store) at the position s, let d_s = s - c. The equations then differ in three points. d_s
-   replaces d in c' and in P(d). The store's gyration (its inertia per unit mass) replaces kappa in I'. The mass that
-   flows between the store and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its angular
-   momentum.
+   If a stream has a store (vm_store) at the position s, let d_s = s - c. The equations then differ in three points.
+   The vector d_s replaces d in c' and in P(d). The store's gyration (its inertia per unit mass) replaces kappa in I'.
+   The mass that flows between the store and the surface adds M' (s - at) to the body's momentum and M' d x d_s to its
+   angular momentum.
    The reference point, from which `at`, s and c are measured, is fixed in the body; its position is r - R c. If
    flow.centre is 0 at the start, the reference point is the initial mass centre.
    Tests: tests/test_flow.c. */
@@ -57,7 +59,7 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* Indices of the states in y, and numbers of states. Axes are inertial unless body axes are named. */
+/* Indices of the states in y, and numbers of states. Vectors are along inertial axes unless body axes are named. */
 enum {
     VM_Y_R = 0,        /* position of the mass centre, 3 numbers, m */
     VM_Y_Q = 3,        /* attitude, 4 numbers w, x, y, z */
@@ -78,7 +80,7 @@ enum {
    the whole struct to zero first; a field that stays zero has no effect. */
 typedef struct VM_TAG(vm_flow) {
     int n;              /* number of streams */
-    vm_stream *streams; /* array of n streams, which the caller keeps */
+    vm_stream *streams; /* array of n streams, provided by the caller */
     vm_vec3 force;      /* resultant of the outer forces, N, inertial axes */
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
@@ -100,7 +102,8 @@ typedef struct VM_TAG(vm_flow) {
                               fallen to this value, kg m^2 */
     /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step of the integrator may go
        beyond the end of a motion, where the mass is not positive or no body can have the inertia. The derivatives are
-       then NaN, so that the integrator shortens its step. An event should stop the run before this happens. */
+       then NaN, so that the integrator shortens its step. An event should stop the run before the mass or the inertia
+       becomes impossible. */
     int status;
     /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
        VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
@@ -135,8 +138,8 @@ typedef struct VM_TAG(vmi_flow_mass) {
     vm_inertia inertia;
 } vmi_flow_mass;
 
-/* Returns the present mass, mass centre and inertia of the body. They are fields of the flow if given = 1, and parts of
-   the state y if given = 0. */
+/* Returns the present mass, mass centre and inertia of the body. These quantities are fields of the flow if given = 1,
+   and parts of the state y if given = 0. */
 VM_INLINE vmi_flow_mass vmi_flow_mass_at(const vm_flow *flow, int given, const vm_real *y)
 {
     vmi_flow_mass b;
@@ -164,10 +167,10 @@ VM_INLINE int vmi_flow_check_mass(vm_real mass)
     return VM_OK;
 }
 
-/* Computes from the state y the rotation *turn from body axes to inertial axes, and in *seen the velocity, the angular
-   velocity and the other quantities that the sums over the streams need. Returns VM_NOT_FINITE if the mass is infinite
-   or NaN; VM_BAD_MASS if it is not positive; VM_BAD_INERTIA if no body can have the inertia, or if it is singular; else
-   VM_OK. */
+/* Computes from the state y the rotation *turn from body axes to inertial axes. Sets *seen to the velocity, the
+   angular velocity and the other quantities that the sums over the streams need. Returns VM_NOT_FINITE if the mass is
+   infinite or NaN; VM_BAD_MASS if it is not positive; VM_BAD_INERTIA if no body can have the inertia, or if it is
+   singular; else VM_OK. */
 VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_flow_mass *b, vmi_mat3 *turn,
                               vmi_stream_seen *seen)
 {
@@ -203,8 +206,8 @@ VM_INLINE void vmi_flow_balance(const vm_flow *flow, const vm_real *y, const vmi
     dydt[6] = (sum->lost - sum->brought) / 2 - vm_dot(flow->force, seen->v) - vm_dot(flow->moment, omega);
 }
 
-/* Evaluates a right-hand side. The number n of its states tells which one: vm_flow_given_rhs, vm_flow_rhs or
-   vm_flow_balanced_rhs. */
+/* Evaluates one of the right-hand sides vm_flow_given_rhs, vm_flow_rhs and vm_flow_balanced_rhs. The number n of
+   states tells which one of the three it is. */
 VM_INLINE int vmi_flow_rates(vm_flow *flow, int n, vm_real t, const vm_real *y, vm_real *dydt)
 {
     const int given = n == VM_FLOW_GIVEN_STATES;
@@ -253,19 +256,19 @@ VM_API int vm_flow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 /* Right-hand side of the equations of motion of a free body with given laws of mass, mass centre and inertia.
    Its type is ode_rhs. The state y has VM_FLOW_GIVEN_STATES numbers. `flow` must point to a vm_flow, whose function
    `update` must set mass, centre and inertia for the time t. The streams cause forces and moments as in vm_flow_rhs,
-   but do not change the mass. Without streams the equations are (170): the mass that joins or leaves is at rest and at
-   the mass centre. The statuses are those of vm_flow_rhs. */
+   but do not change the mass. Without streams the equations are (170): the mass that joins or leaves is at rest, and
+   it joins or leaves at the mass centre. The statuses are those of vm_flow_rhs. */
 VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
     return vmi_flow_rates((vm_flow *)flow, VM_FLOW_GIVEN_STATES, t, y, dydt);
 }
 
-/* Right-hand side vm_flow_rhs with seven integrals that check the balances.
+/* Right-hand side of the equations of vm_flow_rhs, with seven more states: integrals that check the balances.
    Its type is ode_rhs. The state y has VM_FLOW_BALANCED_STATES numbers. `flow` must point to a vm_flow. The integrals
-   are the numbers from y[VM_Y_BALANCE] on and are zero at the start. They are the momentum (3 numbers), the angular
-   momentum about the origin (3 numbers) and the kinetic energy that the streams have taken out of the body, minus the
-   momentum, angular momentum and energy that the outer loads have put into it.
+   are the numbers from y[VM_Y_BALANCE] on and are zero at the start. The integrals are the momentum (3 numbers), the
+   angular momentum about the origin (3 numbers) and the kinetic energy that the streams have taken out of the body,
+   minus the momentum, angular momentum and energy that the outer loads have put into the body.
    The sum of an integral and the corresponding quantity of the body stays constant. (There are two exceptions if a
    stream has a store. The angular momentum in this sum is then y[VM_Y_H] + r x p, and the sum of the energies does not
    stay constant.)
@@ -273,8 +276,9 @@ VM_API int vm_flow_given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *f
    > 0 or M' < 0, they give in the limit the rate T'. With the letters of the equations at the top of mechanics/flow.h:
      T' = F v + M_S omega + sum [M' u^2 + omega2 M' kappa omega2]/2 - sum [M' w^2 + omega_r M' kappa omega_r]/2,
      w = u - v - omega x d, omega_r = omega2 - omega.
-   The first sum is the power that the streams bring. For M' < 0 the second term, with its minus sign, is the power of
-   engines. For M' > 0 it is negative: this power is lost by plastic impact. The statuses are those of vm_flow_rhs. */
+   The first sum is the power that the streams bring. The second sum is subtracted. For M' < 0 this gives a positive
+   power, which engines supply. For M' > 0 it gives a negative power, which is lost by plastic impact. The statuses are
+   those of vm_flow_rhs. */
 VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;
@@ -315,7 +319,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 }
 
 /* Returns how many numbers vm_flow_start writes: VM_FLOW_STATES if y_size is unknown (0) or large enough, and
-   VM_FLOW_GIVEN_STATES if y_size is smaller. If y_size is large enough for the integrals of the balance, too, the
+   VM_FLOW_GIVEN_STATES if y_size is smaller. If y_size is known and large enough for the integrals of the balance, the
    result is VM_FLOW_BALANCED_STATES. */
 VM_API int vmi_flow_size_at_start(const vm_flow *flow)
 {
@@ -324,8 +328,8 @@ VM_API int vmi_flow_size_at_start(const vm_flow *flow)
     return VM_FLOW_STATES;
 }
 
-/* Returns VM_OK if the arguments of vm_flow_start are valid, else the error. The inertia must be one that a body can
-   have, and not singular. */
+/* Returns VM_OK if the arguments of vm_flow_start are valid, else the error. The inertia must be possible for a body
+   and not singular. */
 VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 {
     vmi_inertia_ldl factors;
@@ -338,7 +342,7 @@ VM_API int vmi_flow_check_start(const vm_flow *flow, const vm_body *body)
 }
 
 /* Initial state y of a body with streams. Writes the first VM_FLOW_STATES states, or as many as flow.y_size allows.
-   Before the call flow.centre and flow.streams must have the mass centre and the streams at the start. The function
+   Before the call flow.centre and flow.streams must contain the mass centre and the streams at the start. The function
    sets flow.mass and flow.inertia, too. For vm_flow_given_rhs y must have room for at least VM_FLOW_GIVEN_STATES
    numbers. If y has room for fewer than VM_FLOW_STATES numbers, set flow.y_size before the call. vm_flow_carried_rhs
    has different states, which the caller sets. Returns
@@ -416,8 +420,8 @@ VM_API int vm_flow_body(const vm_flow *flow, int n, const vm_real *y, vm_body *b
 }
 
 /* Mass minus flow.least_mass, kg: an event function that stops a run before the mass is used up.
-   It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of the event is the vm_flow. Returns NaN for a null
-   pointer. */
+   The function works with vm_flow_rhs and vm_flow_balanced_rhs. The field ctx of the event must point to the vm_flow.
+   Returns NaN for a null pointer. */
 VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;
@@ -427,9 +431,10 @@ VM_API vm_real vm_flow_mass_left(vm_real t, const vm_real *y, void *flow)
 
 /* Smallest pivot of the inertia minus flow.least_inertia, kg m^2: an event function.
    The pivots are the diagonal entries of D in the factorization L D L^T of the inertia. The event stops a run before a
-   pivot becomes 0, which would make the inertia singular. It is for vm_flow_rhs and vm_flow_balanced_rhs; the ctx of
-   the event is the vm_flow. The event does not check the triangle inequality of the moments, because thin bodies are
-   always close to its limit. Returns NaN for a null pointer or an inertia that is not finite. */
+   pivot becomes 0, which would make the inertia singular. The function works with vm_flow_rhs and
+   vm_flow_balanced_rhs. The field ctx of the event must point to the vm_flow. The event does not check the triangle
+   inequality of the moments, because thin bodies are always close to its limit. Returns NaN for a null pointer or an
+   inertia that is not finite. */
 VM_API vm_real vm_flow_inertia_left(vm_real t, const vm_real *y, void *flow)
 {
     if (!y || !flow) return VM_NAN;

@@ -1,9 +1,9 @@
 /* mechanics/flow1.h - translation, and bodies on a line or an axle, with streams of mass
 
    This chapter has the right-hand sides of equations of motion with streams of mass that need fewer states (numbers to
-   integrate) than a free body in space: translation in space (172), straight motion (175), (176), and rotation about a
-   fixed axle (173a). The equation of rotation is the equation of straight motion with the moment of inertia instead of
-   the mass.
+   integrate) than a free body in space. These motions are translation in space (172), straight motion (175), (176),
+   and rotation about a fixed axle (173a), by the equations of the dissertation [1]. The equation of rotation is the
+   equation of straight motion with the moment of inertia instead of the mass.
 
        vm_stream1 jet = {-1, -2000, VM_RELATIVE}; // 1 kg/s leaves at 2000 m/s backwards
        vm_flow1 flow;
@@ -56,7 +56,7 @@ typedef struct VM_TAG(vm_stream1) {
    argument. Set the whole struct to 0 first. */
 typedef struct VM_TAG(vm_flow1) {
     int n;               /* number of streams */
-    vm_stream1 *streams; /* array of n streams, which the caller keeps */
+    vm_stream1 *streams; /* array of n streams, provided by the caller */
     vm_real force;       /* resultant of the outer forces, N (axle: their moment about the axle, N m) */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as
        vm_flow.update does. It returns 0 to go on; any other number ends the run. */
@@ -66,7 +66,7 @@ typedef struct VM_TAG(vm_flow1) {
 } vm_flow1;
 
 /* Returns the velocity u of a stream's mass. `motion` and `given` are the fields `motion` and `velocity` of the stream,
-   and v is the velocity of the body. The vectors u, v and `given` have the same axes. */
+   and v is the velocity of the body. The components of u, v and `given` are along the same axes. */
 VM_INLINE vm_vec3 vmi_translation_velocity(int motion, vm_vec3 v, vm_vec3 given)
 {
     vm_vec3 u = vmi_vec3(0, 0, 0);
@@ -101,8 +101,8 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
 }
 
 /* Calls flow->update, then evaluates the right-hand side of vm_translation_rhs. This function is not inlined. If it
-   were inlined, a flow without `update` would lose time, because the processor's registers would be saved for the call
-   of `update`. */
+   were inlined, a flow without `update` would lose time, because it would save the processor's registers for a call of
+   `update` that does not happen. */
 VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real *dydt, vm_flow *flow)
 {
     const int status = flow->update(t, y, flow);
@@ -115,9 +115,9 @@ VMI_APART int vmi_translation_updated_rates(vm_real t, const vm_real *y, vm_real
    `flow` must point to a vm_flow, of which n, streams, force, update, y_size and status are used. r is the position of
    the mass centre, p the momentum, M the mass and F the outer force. The sum is over all streams; M' is the rate of a
    stream and u the velocity of its mass. The rate of the body's mass M is the sum of all M'. The body axes must be
-   parallel to the inertial axes. The fields at, spin, gyration and from of the streams are not read. Returns 0 or
-   another number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown `motion` of a
-   stream; VM_SHORT_ARRAY if y_size is too small; or the number that flow.update returns. */
+   parallel to the inertial axes. The function does not read the fields at, spin, gyration and from of the streams.
+   Returns 0 or another number, which ends the run: VM_BAD_ARGUMENT for a null pointer, for n < 0 and for an unknown
+   `motion` of a stream; VM_SHORT_ARRAY if y_size is too small; or the number that flow.update returns. */
 VM_API int vm_translation_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *flow)
 {
     if (!y || !dydt || !flow) return VM_BAD_ARGUMENT;

@@ -1,6 +1,6 @@
 /* mechanics/flow2.h - a body in a plane with streams of mass
 
-   This chapter has the right-hand side of mechanics/flow.h for motion in a plane. Its state has 10 numbers instead of
+   This chapter has the right-hand side of mechanics/flow.h for motion in a plane. The state has 10 numbers instead of
    23. The equations are those of motion in space, except that streams in the plane have no stores.
 
        vm_stream2 jet = {-1, VM_RELATIVE, -0.5, 0, -2000, 0, 0, 0}; // 1 kg/s, 0.5 m behind, 2000 m/s backwards
@@ -23,7 +23,8 @@
 #include "flow.h"
 #include "streams.h"
 
-/* Indices of the states of vm_flow2_rhs in y, and their number. Axes are inertial unless body axes are named. */
+/* Indices of the states of vm_flow2_rhs in y, and their number. Vectors are along inertial axes unless body axes are
+   named. */
 enum {
     VM_FLOW2_X = 0,       /* position of the mass centre, 2 numbers x, y, m */
     VM_FLOW2_ANGLE = 2,   /* angle of the body axes, rad, anticlockwise */
@@ -49,7 +50,7 @@ typedef struct VM_TAG(vm_stream2) {
    the whole struct to zero first. */
 typedef struct VM_TAG(vm_flow2) {
     int n;               /* number of streams */
-    vm_stream2 *streams; /* array of n streams, which the caller keeps */
+    vm_stream2 *streams; /* array of n streams, provided by the caller */
     vm_real fx, fy;      /* resultant of the outer forces, N, inertial axes */
     vm_real moment;      /* moment of the outer forces about the mass centre, plus all torques, N m */
     /* NULL, or a function that is called before each evaluation and may set every field from t and y, as

@@ -1,7 +1,8 @@
 /* mechanics/generalized_force.h - generalized forces from forces and moments
 
-   This chapter computes the generalized forces (235) of a force and a moment, for Lagrange's equations (lagrange.h).
-   For jumps the same function is called with momenta and impulses instead of forces and moments (lagrange_jump.h).
+   This chapter computes the generalized forces of a force and a moment, by equation (235) of the dissertation [1].
+   Lagrange's equations (lagrange.h) need these generalized forces. For jumps the same function is called with momenta
+   and impulses instead of forces and moments (lagrange_jump.h).
 
        vm_vec3 weight = {0, 0, VM_C(-9.8)}, no_moment = {0, 0, 0};
        vm_vec3 dr[1] = {{0, 0, 1}}; // dr/dq_0 of the point at which the weight acts
@@ -23,7 +24,8 @@
 
    For external loads, use their resultant force and their moment about r. For a stream with the mass rate M' (kg/s),
    the velocity u and the angular velocity omega2, use the force M' u at the point where the mass enters or leaves, and
-   the moment M' kappa omega2. kappa is the inertia of this mass per unit mass. */
+   the moment M' kappa omega2. kappa is the inertia of the stream's mass per unit mass, about the mass centre of this
+   mass. */
 VM_API void vm_lagrange_add_force(int n, vm_vec3 force, const vm_vec3 *dr_or_NULL, vm_vec3 moment,
                                   const vm_vec3 *domega_or_NULL, vm_real *Q)
 {

@@ -44,7 +44,7 @@ VM_API vm_inertia vmi_inertia_plus(vm_inertia a, vm_real c, vm_inertia b)
     return a;
 }
 
-/* P(d) = |d|^2 E - d d^T, where E is the unit matrix. It is the inertia about the origin of 1 kg at the point d. */
+/* P(d) = |d|^2 E - d d^T, where E is the unit matrix: the inertia about the origin of a point mass of 1 kg at d. */
 VM_API vm_inertia vmi_inertia_of_point(vm_vec3 d)
 {
     vm_inertia p;
@@ -93,12 +93,12 @@ VM_INLINE vm_inertia vmi_inertia_sizes(const vm_inertia *i, const vmi_mat3 *m)
 VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + VM_FABS(i->yy) + VM_FABS(i->zz); }
 
 /* The tolerance, in kg m^2, for the rounding errors of a tensor. Usually i is this tensor. If its entries were computed
-   as sums, i may instead have for each entry the sum of the terms' absolute values (vmi_inertia_sizes). */
+   as sums, each entry of i may instead be the sum of the terms' absolute values (vmi_inertia_sizes). */
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
-   (trace tr, unit matrix E) has no negative eigenvalue. The function adds slack to the trace, so that rounding errors
-   do not matter, and tests whether Gaussian elimination gives positive pivots only. */
+   (trace tr, unit matrix E) has no negative eigenvalue. The function adds `slack` to the trace, so that rounding
+   errors do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
@@ -122,9 +122,9 @@ VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 }
 
 /* Inertia about a point at d from the mass centre, along parallel axes, (40). It is own + mass P(d), where own (kg m^2)
-   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass converts
-   an inertia about such a point to that about the mass centre. Returns NaN for a null pointer. A NaN in an argument
-   makes every entry that depends on it NaN. */
+   is the inertia about the mass centre and P(d) = |d|^2 E - d d^T (d in m, unit matrix E). A call with -mass computes
+   the opposite: the inertia about the mass centre from the inertia about such a point. Returns NaN for a null pointer.
+   A NaN in an argument makes every entry that depends on it NaN. */
 VM_API vm_inertia vm_parallel_axes(const vm_inertia *own, vm_real mass, vm_vec3 d)
 {
     const vm_inertia none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -140,8 +140,8 @@ typedef struct VM_TAG(vmi_principal) {
 } vmi_principal;
 
 /* Applies one Jacobi rotation, in the plane of the axes p and q, to the symmetric matrix a, so that a[p][q] becomes 0.
-   The columns of v are the axes; they are turned by the same angle. t, c and s are the tangent, cosine and sine of this
-   angle. Of the two angles that are possible, the function uses the smaller one. */
+   The columns of v are the axes; the function turns these columns by the same angle. t, c and s are the tangent,
+   cosine and sine of this angle. Two angles are possible, of which the function uses the smaller one. */
 VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
 {
     const vm_real theta = (a[q][q] - a[p][p]) / (2 * a[p][q]), root = VM_SQRT(theta * theta + 1);
@@ -162,7 +162,7 @@ VM_API void vmi_jacobi_rotation(vm_real a[3][3], vm_real v[3][3], int p, int q)
     }
 }
 
-/* Principal moments and axes of the tensor i. They are found by Jacobi rotations, which converge quadratically. */
+/* Principal moments and axes of the tensor i, found by Jacobi rotations, which converge quadratically. */
 VM_API vmi_principal vmi_principal_axes(const vm_inertia *i)
 {
     const int most_sweeps = 12; /* more than enough, because convergence is quadratic */
@@ -203,19 +203,19 @@ VM_API vm_inertia vmi_inertia_from(const vmi_principal *p)
     return i;
 }
 
-/* Returns 1 if a body can have the principal moments *p: none is larger than the sum of the other two plus slack, in kg
-   m^2. It follows that no moment is below -slack. */
+/* Returns 1 if a body can have the principal moments *p: no moment is larger than the sum of the other two plus
+   `slack`, in kg m^2. It follows that no moment is below -slack. */
 VM_API int vmi_moments_are_possible(const vmi_principal *p, vm_real slack)
 {
     const vm_real a = p->moment[0], b = p->moment[1], c = p->moment[2];
     return a <= b + c + slack && b <= a + c + slack && c <= a + b + slack;
 }
 
-/* A sum that is below this share of the sum of its terms' absolute values counts as nothing but a rounding error. */
+/* A sum counts as a mere rounding error if it is below this share of the sum of its terms' absolute values. */
 #define VMI_LOST_SHARE (8 * VM_EPSILON)
 
 /* Returns 1 if `moment`, the moment of inertia about `axis`, is smaller than its rounding error, negative or NaN. The
-   entries of the tensor are sums. Those of *sizes are the sums of the absolute values of the same terms. */
+   entries of the tensor are sums. The entries of *sizes are the sums of the absolute values of the same terms. */
 VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *sizes)
 {
     const vm_vec3 e = vmi_abs(axis);
@@ -223,8 +223,8 @@ VM_API int vmi_moment_is_lost(vm_real moment, vm_vec3 axis, const vm_inertia *si
 }
 
 /* Changes moments that are possible within rounding errors into moments that a body can have exactly. A moment that is
-   smaller than its rounding error becomes 0. A moment larger than the sum of the other two becomes that sum. Returns 1
-   if a moment changed. */
+   smaller than its rounding error becomes 0. A moment that is larger than the sum of the other two becomes equal to
+   this sum. Returns 1 if a moment changed. */
 VM_API int vmi_clamp_moments(vmi_principal *p, const vm_inertia *sizes)
 {
     int k, changed = 0;
@@ -253,9 +253,9 @@ VM_API vm_vec3 vmi_spin_of(const vmi_principal *p, vm_vec3 h)
 }
 
 /* Solves i omega = h for the angular velocity *omega, with the inertia i, its principal axes *p and the angular
-   momentum h. About an axis with zero moment (of a rod or a point), *omega keeps the component of `before`, and no body
-   can have angular momentum. Returns 1 if the component of h along such an axis exceeds the argument `noise`, else
-   0. */
+   momentum h. A rod or a point has an axis with zero moment, about which no body can have angular momentum. The
+   component of *omega along this axis is that of `before`. Returns 1 if the component of h along such an axis exceeds
+   the argument `noise`, else 0. */
 VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h, vm_real noise, vm_vec3 before,
                           vm_vec3 *omega)
 {

@@ -47,7 +47,7 @@ typedef struct VM_TAG(vmi_inertia_ldl) {
 } vmi_inertia_ldl;
 
 /* Writes the inertia tensor *i as the product L D L^T, and stores L and the inverse of D in *f (vmi_inertia_ldl).
-   Returns 0 if a diagonal entry of D is not positive or only a rounding error, else 1. */
+   Returns 0 if a diagonal entry of D is not positive or not larger than its rounding error, else 1. */
 VM_INLINE int vmi_inertia_factor(const vm_inertia *i, vmi_inertia_ldl *f)
 {
     vm_real y, z, t;
@@ -75,7 +75,7 @@ VM_INLINE vm_vec3 vmi_inertia_solve(const vmi_inertia_ldl *f, vm_vec3 h)
     return w;
 }
 
-/* Returns 1 if a body, perhaps a thin one, can have the inertia i within a tolerance. One moment of a flat body equals
+/* Returns 1 if a body, which may be thin, can have the inertia i within a tolerance. One moment of a flat body equals
    the sum of the other two, but the rounding errors of all steps of an integration add up and disturb this equality.
    The tolerance is sqrt(eps) times the trace of i, which is enough for about 1/sqrt(eps) steps. */
 VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
@@ -86,7 +86,7 @@ VMI_APART int vmi_thin_inertia_is_possible(const vm_inertia *i)
 
 /* Returns 1 if a body can have the inertia i, which must have positive principal moments. Every step of an integration
    calls this test, so a cheap condition comes first: tr(i)/2 E - i (trace tr, unit matrix E) is positive definite if
-   each diagonal entry of this matrix exceeds |xy| + |xz| + |yz|. For most bodies this is so. */
+   each diagonal entry of this matrix exceeds |xy| + |xz| + |yz|. Most bodies satisfy this condition. */
 VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
 {
     const vm_real half = (i->xx + i->yy + i->zz) / 2;
@@ -94,7 +94,7 @@ VM_INLINE int vmi_running_inertia_is_possible(const vm_inertia *i)
     return (least > i->xx && least > i->yy && least > i->zz) || vmi_thin_inertia_is_possible(i);
 }
 
-/* Computes the factors *f of the inertia *i as vmi_inertia_factor does. Also returns 0 if no body can have the inertia
+/* Computes the factors *f of the inertia *i as vmi_inertia_factor does. Returns 0 also if no body can have the inertia
    *i. */
 VM_INLINE int vmi_inertia_factor_if_possible(const vm_inertia *i, vmi_inertia_ldl *f)
 {

@@ -1,5 +1,5 @@
 /* mechanics/inverse.h - how a part must leave, so that the rest moves as wanted
-   This chapter inverts a separation. It answers the questions of Tables 2 to 4 of the dissertation [1]: with which
+   This chapter inverts a separation. It answers the questions of Tables 2 to 4 of the dissertation [1]: With which
    motion must a part leave so that the rest does not turn, is at rest, or moves on as the whole did?
 
        vm_vec3 none = {0, 0, 0};
@@ -83,13 +83,14 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
    with another motion. The velocity of *moving makes the rest move at the velocity *rest_v_or_NULL (m/s), and its
    angular velocity makes the rest turn with the angular velocity *rest_omega_or_NULL (rad/s). If one of these two
    pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part.
-     - If *rest_omega_or_NULL is 0, the rest does not turn (Table 2 of [1], cases 5 and 7; Table 4, case 2).
-     - If *rest_v_or_NULL is 0, too, the rest is at rest (Table 3, cases 6 and 8).
-     - If both are equal to the velocity and the angular velocity of the whole, the rest moves on as the whole did
-     (Table 3, case 7).
+     - If *rest_omega_or_NULL is the vector 0, the rest does not turn (Table 2 of [1], cases 5 and 7; Table 4, case 2).
+     - If *rest_v_or_NULL is also the vector 0, the rest does not move at all (Table 3, cases 6 and 8).
+     - If these two vectors are equal to the velocity and the angular velocity of the whole, the rest moves on as the
+       whole did (Table 3, case 7).
 
-   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. *moving
-   then brings the rest as close to the wanted motion as possible. The other statuses are those of vm_separate. */
+   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. In
+   this case the part cannot have this angular momentum, and *moving brings the rest as close to the wanted motion as
+   possible. The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {

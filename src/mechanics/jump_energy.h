@@ -1,7 +1,7 @@
 /* mechanics/jump_energy.h - the kinetic energy that bodies gain or lose in a jump
    Kinetic energy is not conserved when bodies separate or join. Without an impulse, a separation adds the kinetic
-   energy that the bodies have relative to the whole, and an attachment takes this energy away: (113), (118), Carnot's
-   theorem.
+   energy that the bodies have relative to the whole, and an attachment takes this energy away. This is Carnot's
+   theorem, equations (113) and (118) of the dissertation [1].
 
        vm_body rest; // whole and part are known vm_bodies
        vm_real gain = VM_NAN;
@@ -33,7 +33,7 @@ VM_API vm_real vmi_relative_energy(const vm_body *whole, int n, const vm_body *b
 }
 
 /* Work of an impulse on a body, J. It is v.linear + omega.moment. v and omega are the velocity and angular velocity of
-   the body; the moment of the impulse is taken about its mass centre. Returns 0 for a null pointer. */
+   the body; `moment` is the moment of the impulse about the body's mass centre. Returns 0 for a null pointer. */
 VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *external_or_NULL)
 {
     const vm_body *b = body_or_NULL;
@@ -45,8 +45,8 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
 /* Energy gained at a separation, J: the kinetic energy of the n parts and of the rest, minus that of the whole (113),
    (118). It is computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external
    impulse on the whole (0 without an impulse). Without rounding errors this sum equals the difference of the energies.
-   But at high speed the difference would lose digits. `whole` is the body before the separation; `parts` and `rest` are
-   the bodies after it. Returns NaN for a null pointer or n < 0. */
+   The difference itself would lose digits at high speed. `whole` is the body before the separation; `parts` and `rest`
+   are the bodies after it. Returns NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {

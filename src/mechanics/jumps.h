@@ -1,15 +1,15 @@
 /* mechanics/jumps.h - parts separate from a body or are attached to it, in space
-   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, as given by
-   (13)-(15), (24), (33), (34), (40). The attitude stays the same. An impulse may act at the same instant. Any number of
-   parts may separate or be attached at once.
+   At the instant of a jump a body's mass, mass centre, inertia, velocity and angular velocity change, by the equations
+   (13)-(15), (24), (33), (34), (40) of the dissertation [1]. The attitude stays the same. An impulse may act at the
+   same instant. Any number of parts may separate or be attached at once.
 
        vm_body whole = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_body part = {1, {0.1, 0.1, 0.1, 0, 0, 0}, {1, 0, 0, 0}, {0.4, 0, 0}, {10, 2, 0}, {0, 0, 3}}, rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // VM_OK: `rest` has the motion after the separation
 
-   Jumps in the plane are in jumps2.h, and jumps that are given by relative motions in relative.h. The inverse question
-   (how must a part leave?) is in inverse.h, and the energy of a jump in jump_energy.h. Tests: tests/test_jumps.c,
-   tests/test_jump_equations.c. */
+   The functions for jumps in the plane are in jumps2.h. For parts whose motion is known relative to the body, use
+   relative.h. Functions in inverse.h find how a part must leave, so that the rest moves as wanted. The energy of a
+   jump is in jump_energy.h. Tests: tests/test_jumps.c, tests/test_jump_equations.c. */
 #ifndef VARMASS_MECHANICS_JUMPS_H
 #define VARMASS_MECHANICS_JUMPS_H
 
@@ -19,18 +19,18 @@
 #include "inertia.h"
 #include "vectors.h"
 
-/* How a jump is computed. A body has the mass M, velocity v, inertia I, angular velocity omega, and its mass centre S
-   at r. For the other body these quantities are m, v2, I2, omega2, S2. It is attached to the first body (sign = 1) or
-   separates from it (sign = -1). After the jump the first body has the mass M1 = M + sign m, v1, I1, omega1, and S1 at
-   r1. Each inertia is about the body's own mass centre. The vector d leads from S to S2. x is the cross product, E the
-   unit matrix, and P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
+/* How a jump is computed. A body has the mass M, the velocity v, the inertia I, the angular velocity omega and the
+   mass centre S at r. Another body, with m, v2, I2, omega2 and S2, is attached to the first body (sign = 1) or
+   separates from it (sign = -1). After the jump the first body has the mass M1 = M + sign m, and v1, I1, omega1, and
+   S1 at r1. Each inertia is about the body's own mass centre. The vector d leads from S to S2. x is the cross product,
+   E the unit matrix, and P(d) = |d|^2 E - d d^T. An impulse `linear` with the moment `moment` about S1 may act. Then
      r1 = r + sign m/M1 d (15),  v1 = (M v + sign m v2 + linear)/M1 (24),  I1 = I + sign (I2 + m M/M1 P(d)),
      I1 omega1 = I omega + sign (I2 omega2 + m M/M1 d x (v2 - v)) + moment (33), (34)
    A separation is therefore computed as an attachment of negative mass and inertia.
 
    These equations also hold in a frame that moves, and turns with any angular velocity Omega, if all omegas and v2 - v
    are taken relative to the frame (42). The code uses a frame in which terms that cancel are small, so that few digits
-   are lost: it moves with the heaviest body, and at a separation it also turns with the whole. */
+   are lost. This frame moves with the heaviest body, and at a separation it also turns with the whole. */
 enum { VMI_SEPARATE = -1, VMI_ATTACH = 1 }; /* the values of all parameters named `sign` */
 
 /* The frame of a jump */
@@ -73,8 +73,8 @@ VM_API vmi_lump vmi_lump_of(const vmi_frame *frame, const vm_body *body)
 }
 
 /* Returns P(d) = |d|^2 E - d d^T, with the unit matrix E, along the frame's axes. d is the difference of two positions;
-   `reach` contains, for each coordinate, the sum of the absolute values that enter this difference. The errors of P(d)
-   are a few eps times *sizes. */
+   `reach` contains, for each coordinate, the sum of the absolute values of all numbers from which the difference is
+   computed. The errors of P(d) are a few eps times *sizes. */
 VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 reach, vm_inertia *sizes)
 {
     vmi_mat3 turn;
@@ -92,9 +92,9 @@ VM_API vm_inertia vmi_moved_inertia(const vmi_frame *frame, vm_vec3 d, vm_vec3 r
     return vmi_inertia_of_point(vmi_times_transposed(&frame->turn, d));
 }
 
-/* Returns how much a->noise grows when the lump b joins or leaves the lump a (the field `noise` measures rounding
-   errors). The result is b->noise plus the absolute values of the terms of the product reduced (d x slip), where `slip`
-   is the velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and `slip`. */
+/* Returns by how much a->noise, the measure of rounding errors, grows when the lump b joins or leaves the lump a. The
+   result is b->noise plus the absolute values of the terms of the product reduced (d x slip), where `slip` is the
+   velocity of b relative to a. vmi_join computes d, `reduced`, `reach` and `slip`. */
 VM_API vm_real vmi_join_noise(const vmi_frame *frame, const vmi_lump *a, vm_real sign, const vmi_lump *b,
                               vm_real reduced, vm_vec3 reach, vm_vec3 slip)
 {
@@ -251,20 +251,20 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
 /* Separation of a part from a body: *rest is what remains of the whole. The caller sets v and omega of *part to the
    motion after the separation. The function computes mass, mass centre (15), inertia (40), velocity (24) and angular
    velocity (34) of *rest, and copies the attitude of *whole. The impulse, if there is one, acts during the separation.
-   The law is exact in three dimensions: momentum and angular momentum of rest and part together are those of the whole
-   plus the impulse. The pointer rest may be equal to whole or to part.
+   The equations are exact in three dimensions: the momentum of rest and part together is that of the whole plus the
+   impulse, and the same holds for angular momentum. The pointer rest may be equal to whole or to part.
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
-   At high speed or far from the origin the rest's omega loses no digits, because only motions relative to the whole are
-   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
-   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the rest
-   that is below this error becomes 0.
+   The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole
+   are added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are
+   at a distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the
+   rest that is below this error becomes 0.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) means that *rest is set and is a rod or a point, which
-   has an axis without inertia, but that the equations demand angular momentum about this axis. *rest then turns about
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
+   axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about
    this axis as the whole did. The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the
    result is infinite or NaN; VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA for
-   an inertia that no body can have. The rest has such an inertia if the part cannot have been in the whole. */
+   an inertia that no body can have. If the part cannot have been in the whole, the rest has an impossible inertia. */
 VM_API int vm_separate(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL, vm_body *rest)
 {
     return vmi_jump(whole, 1, part, VMI_SEPARATE, external_or_NULL, rest);
@@ -281,8 +281,8 @@ VM_API int vm_attach(const vm_body *body, const vm_body *added, const vm_impulse
 }
 
 /* Separation of n parts from a body at once: *rest is what remains. Except for rounding errors, n calls of
-   vm_separate, one after the other, give the same result. With n = 0 only the impulse acts on the body. The statuses
-   are those of vm_separate. For n < 0 the status is VM_BAD_ARGUMENT. */
+   vm_separate, one after the other, give the same result if only one of them gets the impulse. For n = 0 only the
+   impulse acts on the body. The statuses are those of vm_separate, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                            vm_body *rest)
 {
@@ -290,8 +290,8 @@ VM_API int vm_separate_all(const vm_body *whole, int n, const vm_body *parts, co
 }
 
 /* Attachment of n bodies to a body at once: *whole is the body that all of them form together. Except for rounding
-   errors, n calls of vm_attach, one after the other, give the same result. With n = 0 only the impulse acts on the
-   body. The statuses are those of vm_attach. For n < 0 the status is VM_BAD_ARGUMENT. */
+   errors, n calls of vm_attach, one after the other, give the same result if only one of them gets the impulse. For
+   n = 0 only the impulse acts on the body. The statuses are those of vm_attach, and VM_BAD_ARGUMENT for n < 0. */
 VM_API int vm_attach_all(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                          vm_body *whole)
 {
@@ -311,8 +311,8 @@ VM_API vm_body vmi_body_at_rest(vm_real mass, const vm_inertia *inertia, vm_vec3
 }
 
 /* Sets *joined to the inertia, and *centre to the mass centre, of a body after another body has joined it (sign = 1) or
-   left it (sign = -1). The mass centre of the first body is at the origin, that of the other body at d. The first body
-   has the mass mass_a and the inertia *a, the other body mass_b and *b. */
+   left it (sign = -1). The mass centre of the first body is at the origin, and the mass centre of the other body is at
+   d. The first body has the mass mass_a and the inertia *a. The other body has the mass mass_b and the inertia *b. */
 VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign, vm_real mass_b,
                               const vm_inertia *b, vm_vec3 d, vm_inertia *joined, vm_vec3 *centre)
 {
@@ -329,10 +329,10 @@ VM_API int vmi_joined_inertia(vm_real mass_a, const vm_inertia *a, vm_real sign,
     return status;
 }
 
-/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). All inertias (kg m^2) are along one
-   set of axes, and each is about its body's own mass centre. d (m) leads from the mass centre of a to that of b. The
-   result *centre (m) leads from the mass centre of a to the common mass centre. Returns VM_BAD_ARGUMENT for a null
-   pointer; VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA under the conditions of vm_attach; VM_OK otherwise. */
+/* Inertia of two bodies together, about their common mass centre: (13)-(15), (40). The axes of all inertias (kg m^2)
+   are parallel, and each inertia is about its body's own mass centre. d (m) leads from the mass centre of a to that of
+   b. The result *centre (m) leads from the mass centre of a to the common mass centre. Returns VM_BAD_ARGUMENT for a
+   null pointer; VM_NOT_FINITE, VM_BAD_MASS or VM_BAD_INERTIA under the conditions of vm_attach; VM_OK otherwise. */
 VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_b, const vm_inertia *b, vm_vec3 d,
                               vm_inertia *whole, vm_vec3 *centre)
 {

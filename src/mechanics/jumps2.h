@@ -1,7 +1,8 @@
 /* mechanics/jumps2.h - parts separate from a body or are attached to it, in the plane
-   This chapter computes the jumps of jumps.h for motion in the plane, (35)-(39). A body in the plane has one moment of
-   inertia and one angular velocity. The functions here use those of jumps.h to join the masses. Only the last step,
-   from angular momentum to angular velocity, is different in the plane.
+   This chapter computes the jumps of jumps.h for motion in the plane, by the equations (35)-(39) of the dissertation
+   [1]. A body in the plane has one moment of inertia and one angular velocity. The functions here use the functions of
+   jumps.h to join or separate the masses. Only the last step, from angular momentum to angular velocity, is different
+   in the plane.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}, chip = {0.1, 0, 0.2, 0, 0, 5, 1, 8}, rest;
        int status = vm_separate2(&plate, &chip, NULL, &rest); // VM_OK: `rest` has the motion after the separation
@@ -110,11 +111,12 @@ VM_API int vmi_jump2(const vm_body2 *body, int n, const vm_body2 *others, vm_rea
 
 /* Separation of a part from a body in the plane: *rest is what remains of the whole, (35)-(39). The caller sets vx, vy
    and omega of *part to the motion after the separation. The impulse, if there is one, acts during the separation.
-   Momentum and angular momentum of rest and part together are those of the whole plus the impulse. The pointer rest may
-   be equal to whole or to part. The accuracy is that of vm_separate.
+   The total momentum of rest and part is the momentum of the whole plus the impulse, and their total angular momentum
+   is that of the whole plus the moment of the impulse. The pointer rest may be equal to whole or to part. The accuracy
+   is that of vm_separate.
 
-   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS, a warning, means that the rest is a point without inertia,
-   but that the balance of angular momentum leaves it a spin, which a point cannot have. *rest then has the result, with
+   Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS is a warning: the rest is a point without inertia, but the
+   equations demand angular momentum of the point about itself, which a point cannot have. *rest is then set, with
    omega = whole->omega.
    The errors are VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
    VM_BAD_MASS if a mass, that of the rest included, is not positive; and VM_BAD_INERTIA if an inertia, that of the rest
@@ -128,8 +130,8 @@ VM_API int vm_separate2(const vm_body2 *whole, const vm_body2 *part, const vm_im
 /* Attachment of one body to another in the plane (plastic impact): *whole is the body that the two form together.
    Before the call, set the fields vx, vy and omega of both bodies, *body and *added, to their values just before the
    impact. The impulse, if there is one, acts during the impact. The whole has the angle of `body`. The statuses are
-   those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one position, and that the impulse would turn
-   them; the omega of the whole is then that of `body`. */
+   those of vm_separate2. VM_NULL_AXIS means that the bodies are points at one position, to which the impulse would
+   give angular momentum. The omega of the whole is then that of `body`. */
 VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                       vm_body2 *whole)
 {
@@ -137,17 +139,19 @@ VM_API int vm_attach2(const vm_body2 *body, const vm_body2 *added, const vm_impu
 }
 
 /* Separation of n parts from a body at once, in the plane: *rest is what remains. Except for rounding errors, n calls
-   of vm_separate2, one after the other, give the same result. With n = 0 only the impulse acts on the body. The
-   statuses are those of vm_separate2. For n < 0 the status is VM_BAD_ARGUMENT. */
+   of vm_separate2, one after the other, give the same result if the impulse is passed to only one of these calls. With
+   n = 0 only the impulse acts on the body. The statuses are those of vm_separate2. For n < 0 the status is
+   VM_BAD_ARGUMENT. */
 VM_API int vm_separate_all2(const vm_body2 *whole, int n, const vm_body2 *parts,
                             const vm_impulse2 *external_or_NULL, vm_body2 *rest)
 {
     return vmi_jump2(whole, n, parts, VMI_SEPARATE, external_or_NULL, rest);
 }
 
-/* Attachment of n bodies to a body at once, in the plane: *whole is the body that all of them form together. Except for
-   rounding errors, n calls of vm_attach2, one after the other, give the same result. With n = 0 only the impulse acts
-   on the body. The statuses are those of vm_attach2. For n < 0 the status is VM_BAD_ARGUMENT. */
+/* Attachment of n bodies to a body at once, in the plane: *whole is the body that all of them form together. Except
+   for rounding errors, n calls of vm_attach2, one after the other, give the same result if the impulse is passed to
+   only one of these calls. With n = 0 only the impulse acts on the body. The statuses are those of vm_attach2. For n <
+   0 the status is VM_BAD_ARGUMENT. */
 VM_API int vm_attach_all2(const vm_body2 *body, int n, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                           vm_body2 *whole)
 {

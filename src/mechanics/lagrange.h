@@ -1,18 +1,19 @@
 /* mechanics/lagrange.h - Lagrange's equations with variable mass
 
    This chapter has the right-hand side for any system of n generalized coordinates whose kinetic energy T you can write
-   down. The masses may depend on time and position (247). You write functions for T, the masses and the generalized
-   forces Q. The functions of this chapter compute the mass matrix A, the vector b and the derivatives of T from values
-   of T. The states are the coordinates q and the momenta pi = dT/dq', so that you need no time derivatives of momenta
-   or masses:
+   down. The masses may depend on time and position, as in equation (247) of the dissertation [1]. You write functions
+   for T, the masses and the generalized forces Q. The functions of this chapter compute the mass matrix A, the vector
+   b and the derivatives of T from values of T. The states are the coordinates q and the momenta pi = dT/dq', with q' =
+   dq/dt. Therefore you need no time derivatives of momenta or masses:
      pi' = (dT/dq, masses frozen) + Q,   A q' = pi - b,   T = q'Aq'/2 + b q' + T0,  T0 = T(q' = 0).
 
-   These equations are (247), corrected. T must use the velocities of material points. A mass centre also moves inside
-   its body because mass leaves; this motion must not be counted in T. With streams of mass, Lagrange's equations are
+   These equations are the corrected form of (247). T must use the velocities of material points. If mass leaves, the
+   mass centre also moves relative to the material of its body; this motion must not be counted in T. With streams of
+   mass, Lagrange's equations are
      d/dt dT/dq'_i - (dT/dq_i, masses frozen) = Q_i + sum over streams [M' u dr2/dq_i + M' kappa omega2 domega/dq'_i].
    A stream has the mass rate M' and the velocity u at the point r2. Its mass has the angular velocity omega2 and, per
    unit mass, the inertia kappa. omega is the angular velocity of the body. "Masses frozen" means that the masses are
-   held constant in the derivative dT/dq_i, although (244)-(247) may be read as if they varied.
+   held constant in the derivative dT/dq_i. The equations (244)-(247) do not say so clearly.
 
        #include "varmass.h"
        static void masses(vm_real t, const vm_real *q, vm_real *m, void *ctx)
@@ -36,16 +37,16 @@
        }
 
    Your Q must contain the terms of the streams, too. Example: a pendulum of length l and angle q has a bob that leaks
-   mass, so that its mass m decreases. If the leaking mass has the velocity of the bob and takes its momentum along,
-   Q = -m g l sin q + m' l^2 q'. Without the last term the mass would leave at rest.
+   mass, so that its mass m decreases. If the leaking mass leaves with the velocity of the bob, Q = -m g l sin q + m'
+   l^2 q'. Without the last term the equation would describe mass that leaves at rest.
 
    vm_lagrange_needed_forces and vm_lagrange_drive_forces compute the forces that a given motion needs (inverse
    dynamics).
 
-   Accuracy: A and b are computed as differences of values of T; their only errors are the rounding errors of T. dT/dq
-   is a central difference of order 6 (its error is proportional to the sixth power of the step). The field `scales`
-   must contain, for each coordinate, the change of the coordinate that changes T noticeably. The error of dT/dq is then
-   below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
+   Accuracy: A and b are computed as differences of values of T, so that they have no errors except rounding errors.
+   dT/dq is a central difference of order 6 (its error is proportional to the sixth power of the step). The field
+   `scales` must contain, for each coordinate, the change of the coordinate that changes T noticeably. The error of
+   dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -66,8 +67,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
        to go on; any other number ends the run. */
     int (*forces)(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx);
     void *ctx;             /* the argument ctx of the three functions above */
-    const vm_real *scales; /* for each coordinate, the change of it that changes T noticeably; NULL means that each of
-                              these changes is 1 */
+    const vm_real *scales; /* for each coordinate, the change of the coordinate that changes T noticeably; NULL means
+                              that each of these changes is 1 */
     vm_real *work;         /* array of VM_LAGRANGE_RHS_WORK(n, n_masses) numbers, provided by the caller */
 } vm_lagrange_system;
 
@@ -78,7 +79,7 @@ typedef struct VM_TAG(vm_lagrange_system) {
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
-    vm_real *rates;  /* at first pi - b (pi: the generalized momenta), then the rates q', n numbers */
+    vm_real *rates;  /* first pi - b with the generalized momenta pi, later the rates q', n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -112,7 +113,7 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
    the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. The kinetic energies of the two rates
-   are then equal. If they were very different, the digits of the smaller one would be lost in the sum. */
+   are then equal. If one of the two energies were much smaller, its digits would be lost in the sum. */
 VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -136,7 +137,7 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
         }
 }
 
-/* Writes the masses at time t and coordinates q into the work array. They stay constant there while T is
+/* Writes the masses at time t and coordinates q into the work array, where the masses stay constant while T is
    differentiated. */
 VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
@@ -144,7 +145,7 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y contains the coordinates q and the momenta pi. Returns
-   VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if A is not positive definite for another reason, and VM_OK
+   VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if they are finite but A is not positive definite, and VM_OK
    otherwise. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
@@ -159,11 +160,11 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     return status;
 }
 
-/* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. It is a central
-   difference of order 6 from T at q_i plus and minus 1, 2 and 3 steps. A step h is 2^-7 (double precision, eps = 2^-52)
-   or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is measured in units of its scale, the error
-   is h^6/140 times the seventh derivative of T, plus a rounding error of T eps/h. Both errors are small for these
-   values of h. */
+/* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. The function
+   computes it as a central difference of order 6, from the values of T at q_i plus and minus 1, 2 and 3 steps. A step
+   h is 2^-7 (double precision, eps = 2^-52) or 2^-3 (single precision, eps = 2^-23) times the scale of q_i. If q_i is
+   measured in units of its scale, the error is h^6/140 times the seventh derivative of T, plus a rounding error of T
+   eps/h. Both errors are small for these values of h. */
 VM_API vm_real vmi_lagrange_derivative(const vm_lagrange_system *system, vm_real t, const vm_real *q,
                                        const vm_real *rates, int i)
 {
@@ -299,8 +300,9 @@ VM_API vm_real vmi_lagrange_time_step(const vm_lagrange_system *system, vm_real 
     return h / fastest;
 }
 
-/* Adds to p the time derivatives that the momenta have if coordinates and time change while the rates q' stay constant.
-   The derivatives are computed as central differences of order 6. If time_scale is 0, the time stays constant, too. */
+/* Adds to p the time derivatives that the momenta would have if coordinates and time changed, but the rates q' did
+   not. The derivatives are computed as central differences of order 6. If time_scale is 0, the time stays constant,
+   too. */
 VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm_real t, vm_real time_scale,
                                             const vm_real *q, const vm_real *rates, vm_real *p)
 {
@@ -321,8 +323,8 @@ VM_API void vmi_lagrange_add_momentum_rates(const vm_lagrange_system *system, vm
     }
 }
 
-/* Checks the arguments of vm_lagrange_needed_forces, and writes the forces that it computes to the work array. Returns
-   its status. */
+/* Checks the arguments of vm_lagrange_needed_forces, and writes the needed forces to the work array. Returns the
+   status of vm_lagrange_needed_forces. */
 VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                 const vm_real *rates, const vm_real *accelerations)
 {
@@ -347,15 +349,15 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
 }
 
 /* Inverse dynamics: generalized forces Q that a given motion needs, the left side of (247).
-   The forces are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses held constant). Q is the sum of all generalized forces, those
-   of the streams of mass included. q, rates and accelerations are the n coordinates q and their derivatives q' and q''
-   at time t; Q has n numbers. time_scale (s) is the time in which T or the masses change noticeably while q stays
-   constant (the field `scales` contains the corresponding changes of the coordinates). Set it to 0 if T and the masses
-   do not depend on time. Returns VM_BAD_ARGUMENT for a null pointer or an invalid system; VM_NOT_FINITE if an argument
-   or the result is infinite or NaN; VM_DOMAIN for time_scale < 0; VM_SINGULAR if T does not grow with each of the
-   rates; VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of three terms: the mass matrix A times
-   q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system changes noticeably. T
-   is evaluated 14 n^2 + 6 n + 7 times. */
+   The forces are Q_i = d/dt dT/dq'_i - (dT/dq_i, masses held constant). Q is the sum of all generalized forces, and
+   includes the forces of the streams of mass. q, rates and accelerations are the n coordinates q and their derivatives
+   q' and q'' at time t; Q has n numbers. time_scale (s) is the time in which T or the masses change noticeably while q
+   stays constant (the field `scales` contains the corresponding changes of the coordinates). Set it to 0 if T and the
+   masses do not depend on time. Returns VM_BAD_ARGUMENT for a null pointer or an invalid system; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN; VM_DOMAIN for time_scale < 0; VM_SINGULAR if T does not grow with each of
+   the rates; VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of three terms: the mass matrix A
+   times q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system changes
+   noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {

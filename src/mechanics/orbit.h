@@ -1,10 +1,11 @@
 /* mechanics/orbit.h - two bodies that attract each other, with constant masses and with masses that change
 
-   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2), if mass that leaves or joins
-   has the velocity of its body (in a scene: the field `reactive` is 0). vm_orbit solves this equation for constant mu
-   (Kepler's problem). It works for ellipses, parabolas, hyperbolas and straight lines. vm_orbit_meshchersky solves it
-   for Meshchersky's law mu/(1 + c t), one of Gylden's problems of variable mass that have a closed form. A scene with
-   vm_effect_gravitation computes the motion for any law of mass.
+   The vector r from one body to the other obeys r'' = -mu r/|r|^3 with mu = G (M1 + M2). G is the constant of
+   gravitation; M1, M2 are the masses of the bodies. The equation holds if mass that leaves or joins has the velocity
+   of its body (in a scene: the field `reactive` is 0). vm_orbit solves this equation for constant mu (Kepler's
+   problem). It works for ellipses, parabolas, hyperbolas and straight lines. vm_orbit_meshchersky solves the equation
+   for Meshchersky's law: mu/(1 + c t) replaces mu. This is one of the problems of variable mass (Gylden's problem)
+   that have a closed form. A scene with vm_effect_gravitation computes the motion for any law of mass.
 
        vm_vec3 r = {7e6, 0, 0}, v = {0, 7.6e3, 0}; // m, m/s
        vm_orbit(3600, 3.986004418e14, r, v, &r, &v); // an hour later; the results may be the inputs
@@ -20,8 +21,8 @@
    For Meshchersky's law let f = 1 + c t, r = f xi and tau = t/f. Then xi, as a function of the time tau, obeys the
    equation for constant mu.
 
-   This chapter has no function for Meshchersky's second law, mu/sqrt(1 + c t). With f = sqrt(1 + c t), r = f xi,
-   tau = ln(1 + c t)/c and a prime ' for d/dtau, the equation of motion becomes
+   This chapter has no function for Meshchersky's second law, mu/sqrt(1 + c t). With f = sqrt(1 + c t), r = f xi, tau =
+   ln(1 + c t)/c and, here, a prime ' for d/dtau, the equation of motion becomes
      xi'' = (c^2/4) xi - mu xi/|xi|^3.
    Therefore |xi'|^2/2 - mu/|xi| - c^2 |xi|^2/8 and the cross product xi x xi' (the angular momentum) are constant. If s
    is defined by d tau = |xi| ds, the distance |xi| is an elliptic function of s. But tau and the angle are elliptic
@@ -117,8 +118,8 @@ VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
 /* Finds the variable s >= 0 at the time t >= 0, and returns the distance and the functions G1, G2, G3 for this s. The
    time is a rising function of s. Therefore the function keeps a lower and an upper bound of s, and brings them closer
    in each step of Newton's method. If a step leaves these bounds, or is longer than half the previous step, s is
-   doubled or the interval is halved instead. On a fast hyperbola the time rises exponentially, and Newton's method
-   alone would need too many steps. */
+   doubled or the interval is halved instead. On a fast hyperbola the time rises exponentially with s, so that Newton's
+   method alone would need too many steps. */
 VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
     const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps; Newton's method needs fewer */
@@ -157,12 +158,12 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
 
 /* Position and velocity after t seconds on an orbit about a centre with the attraction mu/r^2 (Kepler's problem).
    r0 (m) is the position relative to the centre and v0 (m/s) the velocity at t = 0; mu (m^3/s^2) is G times the mass in
-   the centre, or G (M1 + M2) if r0 and v0 belong to two bodies, one relative to the other. t may be negative. The orbit
-   may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns back at the centre.
-   Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as large as this
-   change. This error grows with the number of revolutions. There is one exception: if v0 points towards the centre,
-   apart from a small angle of phi rad, the error after the passage of the centre can be 10/phi times as large. A call
-   takes about as long as 50 calls of sin. Returns
+   the centre, or G (M1 + M2) if r0 and v0 are the position and velocity of one body relative to another. t may be
+   negative. The orbit may be an ellipse, a parabola, a hyperbola or a straight line; on a straight line the body turns
+   back at the centre. Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as
+   large as this change, and grows with the number of revolutions. There is one exception: if v0 points towards the
+   centre, apart from a small angle of phi rad, the error after the passage of the centre can be 10/phi times as large.
+   A call takes about as long as 50 calls of sin. Returns
    VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN for mu
    <= 0 or r0 = 0; VM_OK otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)

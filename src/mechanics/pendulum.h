@@ -1,9 +1,9 @@
 /* mechanics/pendulum.h - a pendulum from which a part is cut
 
-   This is the example (119)-(132), corrected as in docs/errata.md. A uniform rod of mass M and length L swings about
-   its end O. A part at its free end, of length l and mass m = M l/L, is cut off. It leaves with a given velocity and
-   angular velocity relative to the rod. The results are the motions, energies and momenta of the part and of the
-   remaining rod, and the impulse of the pivot.
+   This is the example of the equations (119)-(132) of the dissertation [1], corrected as in docs/errata.md. A uniform
+   rod of mass M and length L swings about its end O. A part at its free end, of length l and mass m = M l/L, is cut
+   off. The part leaves with a given velocity and angular velocity relative to the rod. The results are the motions,
+   energies and momenta of the part and of the remaining rod, and the impulse of the pivot.
 
        vm_pendulum rod = {3, 1, VM_C(0.5), 2, VM_AXES_COS_SIN}; // 3 kg, 1 m, 0.5 rad, 2 rad/s
        vm_pendulum_cut cut;
@@ -93,9 +93,9 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
    `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
    The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
-   This formula is (125), (132), corrected, and simplified so that no digits cancel. Returns VM_BAD_ARGUMENT for a null
-   pointer and for an unknown value of the field `axes`; VM_NOT_FINITE if an argument or the result is infinite or NaN;
-   VM_BAD_MASS if the mass is not positive; VM_DOMAIN if l is not between 0 and L; VM_OK otherwise. */
+   This formula is the corrected form of (125) and (132), rearranged so that no digits cancel. Returns VM_BAD_ARGUMENT
+   for a null pointer and for an unknown value of the field `axes`; VM_NOT_FINITE if an argument or the result is
+   infinite or NaN; VM_BAD_MASS if the mass is not positive; VM_DOMAIN if l is not between 0 and L; VM_OK otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {

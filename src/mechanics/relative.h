@@ -1,7 +1,7 @@
 /* mechanics/relative.h - motion relative to a moving body, and jumps computed from relative motions
-   This chapter computes the motion of one body relative to another body, in a frame that moves and turns with the other
-   body, (25), (26), (41). It also computes jumps from such relative motions, (28)-(31), (42)-(44). Use these functions
-   if you know only the velocity of a part relative to the whole.
+   This chapter computes the motion of one body relative to another body, that is, in a frame that moves and turns with
+   the other body, by the equations (25), (26), (41) of the dissertation [1]. It also computes jumps from such relative
+   motions, (28)-(31), (42)-(44). Use these functions if you know only the velocity of a part relative to the whole.
 
        vm_body part = whole, rest; // whole is a vm_body
        part.mass = 1;
@@ -112,8 +112,8 @@ VM_API int vm_to_absolute2(const vm_body2 *to, const vm_body2 *relative, vm_body
 
 /* ---- jumps ---- */
 
-/* Computes a jump; the motions before and after it are relative to `body`. In its own frame `body` is at rest, and the
-   equations of a jump have the same form as in an inertial frame. */
+/* Computes a jump; the motions before and after the jump are relative to `body`. In the frame that moves and turns
+   with `body`, this body is at rest, and the equations of a jump have the same form as in an inertial frame. */
 VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real sign,
                              const vm_impulse *external_or_NULL, vm_body *result)
 {
@@ -124,8 +124,8 @@ VM_API int vmi_jump_relative(const vm_body *body, const vm_body *other, vm_real 
     return vmi_jump(&still, 1, other, sign, external_or_NULL, result);
 }
 
-/* Computes a jump in the plane; the motions before and after it are given relative to `body`, which is at rest in its
-   own frame. */
+/* Computes a jump in the plane. The motions before and after the jump are given in the frame that moves and turns with
+   `body`, in which `body` is at rest before the jump. */
 VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_real sign,
                               const vm_impulse2 *external_or_NULL, vm_body2 *result)
 {
@@ -137,8 +137,8 @@ VM_API int vmi_jump_relative2(const vm_body2 *body, const vm_body2 *other, vm_re
 }
 
 /* Separation, with motions given relative to the whole: (28)-(31), (42)-(44). v and omega of *part and of the result
-   *rest are relative to the whole, so that v and omega of *whole are not read. In every other respect, its statuses
-   included, the function works like vm_separate. */
+   *rest are relative to the whole; the function does not read v and omega of *whole. In every other respect, its
+   statuses included, the function works like vm_separate. */
 VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                 vm_body *rest)
 {
@@ -146,8 +146,8 @@ VM_API int vm_separate_relative(const vm_body *whole, const vm_body *part, const
 }
 
 /* Attachment, with motions given relative to the first body: (28)-(31), (42)-(44). v and omega of *added and of the
-   result *whole are relative to `body`, so that v and omega of *body are not read. In every other respect, its statuses
-   included, the function works like vm_attach. */
+   result *whole are relative to `body`; the function does not read v and omega of *body. In every other respect, its
+   statuses included, the function works like vm_attach. */
 VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const vm_impulse *external_or_NULL,
                               vm_body *whole)
 {
@@ -155,8 +155,8 @@ VM_API int vm_attach_relative(const vm_body *body, const vm_body *added, const v
 }
 
 /* Separation in the plane, with motions given relative to the whole. vx, vy and omega of *part and of the result *rest
-   are relative to the whole, so that vx, vy and omega of *whole are not read. In every other respect, its statuses
-   included, the function works like vm_separate2. */
+   are relative to the whole; the function does not read vx, vy and omega of *whole. In every other respect, its
+   statuses included, the function works like vm_separate2. */
 VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                  vm_body2 *rest)
 {
@@ -164,8 +164,8 @@ VM_API int vm_separate_relative2(const vm_body2 *whole, const vm_body2 *part, co
 }
 
 /* Attachment in the plane, with motions given relative to the first body. vx, vy and omega of *added and of the result
-   *whole are relative to `body`, so that vx, vy and omega of *body are not read. In every other respect, its statuses
-   included, the function works like vm_attach2. */
+   *whole are relative to `body`; the function does not read vx, vy and omega of *body. In every other respect, its
+   statuses included, the function works like vm_attach2. */
 VM_API int vm_attach_relative2(const vm_body2 *body, const vm_body2 *added, const vm_impulse2 *external_or_NULL,
                                vm_body2 *whole)
 {

@@ -1,9 +1,10 @@
 /* mechanics/rocket.h - closed forms: velocity by momentum, Tsiolkovsky's rocket, linear flow, jet damping
 
-   This chapter has closed formulas for motions with streams of mass, so that no integrator is needed. They give the
-   velocity of a body as a function of its mass, (151), (171), (175), (176); the motion along a line while the mass
-   changes at a constant rate; and the angular velocity of a spinning rocket whose rotation the jet damps. The formulas
-   stay accurate as the rate of the mass tends to zero.
+   This chapter has closed formulas for motions with streams of mass, so that no integrator is needed. The first two
+   functions give the velocity of a body as a function of its mass, by the equations (151), (171), (175), (176) of the
+   dissertation [1]. The others give the motion along a line while the mass changes at a constant rate, and the angular
+   velocity of a spinning rocket whose rotation the jet damps. The formulas stay accurate as the rate of the mass tends
+   to zero.
 
        vm_real v = vm_tsiolkovsky(0, 100, 40, -2500); // m/s: from 100 kg to 40 kg, jet at 2500 m/s backwards
 
@@ -22,15 +23,15 @@
 #include "streams.h"
 #include "vectors.h"
 
-/* A spinning axisymmetric body. The body axis z is the axis of symmetry. Mass from around the mass centre leaves
-   through a nozzle on the axis (rate < 0), or mass enters through the nozzle (rate > 0). The mass centre does not move
-   in the body. A transverse axis goes through the mass centre and is perpendicular to z; "inertia" means moment of
-   inertia. */
+/* A spinning axisymmetric body. The body axis z is the axis of symmetry. Mass leaves through a nozzle on this axis
+   (rate < 0) or enters through it (rate > 0). In the body the stored mass lies around the mass centre of the body, so
+   that this mass centre does not move in the body when mass leaves or enters. A transverse axis goes through the mass
+   centre and is perpendicular to z; "inertia" means moment of inertia. */
 typedef struct VM_TAG(vm_jet) {
     vm_real rate;                /* mass per time, kg/s; < 0: mass leaves */
     vm_real axial;               /* inertia C0 of the body about the z axis at t = 0, kg m^2 */
     vm_real transverse;          /* inertia A0 of the body about a transverse axis at t = 0, kg m^2 */
-    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; it has one value in the
+    vm_real gyration_axial;      /* inertia about z of the mass that flows, per unit mass, m^2; the same value in the
                                     body and in the nozzle */
     vm_real gyration_transverse; /* inertia about a transverse axis of the mass that flows, per unit mass, while it is
                                     in the body, m^2 */
@@ -91,8 +92,8 @@ VM_API void vmi_stream_log_means(vm_real x, vm_real *first, vm_real *second)
    If the stream has the velocity w relative to the body:
      v = v0 + (force + rate w) L t/m0,            x = x0 + v0 t + (force + rate w) (L - B) t^2/m0.
    If rate t >= 0, the errors of x and v are at most 8 eps times the sum of the absolute values of all terms. If the
-   mass decreases, this bound grows with m0/m, because the rounding error of the product rate t is large compared with a
-   small m. Returns VM_BAD_ARGUMENT for a null pointer and for an unknown `motion` of the stream; VM_NOT_FINITE if an
+   mass decreases, this bound grows with m0/m, because the rounding error of the product rate t becomes large compared
+   with m. Returns VM_BAD_ARGUMENT for a null pointer and for an unknown `motion` of the stream; VM_NOT_FINITE if an
    argument or the result is infinite or NaN; VM_BAD_MASS if m0 or m is not positive; VM_OK otherwise. */
 VM_API int vm_linear_flow(const vm_stream1 *stream, vm_real t, vm_real x0, vm_real v0, vm_real m0, vm_real force,
                           vm_real *x, vm_real *v)

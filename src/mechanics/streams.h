@@ -1,10 +1,10 @@
 /* mechanics/streams.h - streams of mass: reactive force, moment and torque
 
-   A stream brings mass into a body, or takes mass out of it, at one point. This mass has momentum and angular momentum.
-   Therefore a reactive force (156), a reactive moment (158) and a reactive torque (157) act on the body; they are
-   called reactive loads here. This chapter computes the reactive loads at an instant and the accelerations that follow
-   from them, (159) and (160). To integrate a motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h
-   (on a line or an axle).
+   A stream brings mass into a body, or takes mass out of it, at one point. This mass has momentum and angular
+   momentum. Therefore a reactive force, a reactive moment and a reactive torque act on the body, by the equations
+   (156), (158), (157) of the dissertation [1]. Force, moment and torque together are called reactive loads here. This
+   chapter computes the reactive loads at an instant and the accelerations that follow from them, (159) and (160). To
+   integrate a motion, use mechanics/flow.h (in space), flow2.h (in a plane) or flow1.h (on a line or an axle).
 
        vm_vec3 centre = {0, 0, 0}; // the mass centre is the reference point
        vm_stream nozzle;
@@ -31,15 +31,15 @@ enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
     VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
-                        the stream are not read. There is no torque, but a force M' omega x d, which (166) neglects. M'
-                        is the rate of the stream, omega the body's spin, and d the vector from the mass centre to the
-                        point. */
+                        the stream are not read. If the stream has no store, its reactive moment and its reactive torque
+                        cancel. Its reactive force is M' omega x d, which (166) of [1] neglects. M' is the rate of the
+                        stream, omega the body's spin, and d the vector from the mass centre to the point. */
     VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
 };
 
 /* A store of mass inside a body, for example a tank. A stream that leaves the body takes its mass from the store, and a
-   stream that enters puts its mass into the store. A stream needs a store if its mass is kept at another position than
-   the point at which the stream crosses the surface of the body. */
+   stream that enters puts its mass into the store. A stream needs a store if the body stores the mass at another
+   position than the point at which the stream crosses the surface of the body. */
 typedef struct VM_TAG(vm_store) {
     vm_vec3 at;          /* position from the body's reference point, m, body axes */
     vm_inertia gyration; /* inertia per unit mass of the stored mass, about its own mass centre, m^2, body axes */
@@ -55,15 +55,17 @@ typedef struct VM_TAG(vm_stream) {
     vm_inertia gyration;  /* inertia per unit mass of the mass that enters or leaves, about its own mass centre, m^2,
                              body axes */
     const vm_store *from; /* the store that the mass comes from or goes to, or NULL for none. Between the store and the
-                             point `at` the mass flows in a straight line; the momentum of the mass on this way is a
-                             part of the body's momentum. */
+                             point `at` the mass flows in a straight line. While the mass flows there, its momentum is
+                             a part of the body's momentum. */
 } vm_stream;
 
 /* The reactive loads at an instant. All vectors are in inertial axes; only inertia_rate is in body axes. The body has
-   the mass M, the inertia I, the velocity v and the angular velocity omega. For each stream M' is the rate, u the
-   velocity of its mass, omega2 the angular velocity of its mass and kappa its gyration. The vector d leads from the
-   body's mass centre to the point at which the mass enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E
-   is the inertia per unit mass of a point mass at d. Each sum is over all streams:
+   the mass M, the inertia I, the velocity v (momentum/mass) and the angular velocity omega. For each stream M' is the
+   rate (> 0 if mass joins, < 0 if mass leaves), u the absolute velocity of the stream's mass, omega2 the angular
+   velocity of this mass and kappa its gyration. u - v is the velocity of this mass relative to a frame that moves at
+   the velocity v and does not turn. The vector d leads from the body's mass centre to the point at which the mass
+   enters or leaves, and P(d) = |d|^2 E - d d^T with the unit matrix E is the inertia per unit mass of a point mass at
+   d. Each sum is over all streams:
      force   sum M' (u - v)                             (156)
      moment  sum d x M' (u - v)                         (158)
      torque  (sum M' kappa omega2) - I' omega           (157) corrected: [1] prints I' (omega2 - omega), which is right
@@ -71,7 +73,7 @@ typedef struct VM_TAG(vm_stream) {
      drift   sum (M'/M) d:  dr/dt = v + drift           not in [1]
      inertia_rate  I' = sum M' (kappa + P(d)), body axes
    The equations of motion are M v' = F + force (159) and I omega' + omega x I omega = M_S + moment + torque (160),
-   with the outer force F and the outer moment M_S about the mass centre. v is momentum/mass, and v' is its rate. */
+   with the outer force F and the outer moment M_S about the mass centre. v' is the rate of v. */
 typedef struct VM_TAG(vm_reactive) {
     vm_vec3 force;           /* reactive force, N */
     vm_vec3 moment;          /* reactive moment about the mass centre, N m */
@@ -84,10 +86,11 @@ typedef struct VM_TAG(vm_reactive) {
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
 /* For every value of the field `motion`, the velocity u of a stream's mass is the sum of two terms. The first term is
-   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the
-   mass is a sum of two such terms, too. vmi_stream_moves_with_body returns 1 if the first term is the velocity of the
-   point, and vmi_stream_velocity_is_given returns 1 if the second term is the field `velocity`. No other function
-   depends on the four values VM_RELATIVE ... VM_AT_REST. */
+   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of
+   the mass is also a sum of two terms: the spin of the body, or zero, and the field `spin`, or zero.
+   vmi_stream_moves_with_body returns 1 if the first term is the velocity of the point, and
+   vmi_stream_velocity_is_given returns 1 if the second term is the field `velocity`. No other function depends on the
+   four values VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
@@ -118,7 +121,8 @@ VM_INLINE vm_inertia vmi_stream_own(vm_real rate, const vm_inertia *gyration)
 /* Sets *p to the momentum, and *h to the angular momentum about the mass centre, of the mass that flows between the
    stores of the streams and the surface of the body. `centre` is the position of the mass centre, from the body's
    reference point. If a stream of rate M' flows in a straight line between its store at the position a and the surface
-   at the position b, the flowing mass has the momentum M' (a - b) at any speed. */
+   at the position b, the flowing mass has the momentum M' (a - b). This momentum does not depend on the speed of the
+   flow, because a faster flow has less mass on its way. */
 VM_INLINE void vmi_stream_on_the_way(int n, const vm_stream *s, vm_vec3 centre, vm_vec3 *p, vm_vec3 *h)
 {
     int k;
@@ -142,27 +146,28 @@ typedef struct VM_TAG(vmi_stream_seen) {
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
    are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this relative
-   velocity instead of the difference u - v, which would lose digits if the body is fast. */
+   velocity. The function does not subtract v from u, because the difference u - v would lose digits if the body is
+   fast. */
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
     vm_vec3 pushed;     /* force of the streams whose velocity is relative to the body: sum of M' (u - v) */
     vm_vec3 absolute;   /* sum of M' u of the streams whose velocity u is absolute, inertial axes */
     vm_vec3 moment;     /* moment of all streams about the mass centre: sum of d x M' (u - v) */
-    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum per second that the streams bring by their spin */
+    vm_vec3 own;        /* sum of M' kappa omega2: angular momentum that the streams bring per second by their spin */
     vm_vec3 crossing;   /* sum of M' d, where d leads from the mass centre to the point of the surface */
     vm_vec3 stored;     /* sum of M' d_s, where d_s leads from the mass centre to the store; d_s = d without a store */
     vm_inertia inertia; /* I', the rate of the body's inertia */
     vm_real brought;    /* sum of M' u^2 + omega2 M' kappa omega2: twice the kinetic energy that the streams bring per
                            second */
-    vm_real lost;       /* the sum `brought`, but with velocity and spin relative to the body: twice the power lost by
-                           mixing */
+    vm_real lost;       /* the sum `brought`, but with the velocity relative to the point of the surface and the spin
+                           relative to the body: twice the power lost by mixing; < 0 if the mass leaves */
 } vmi_stream_sum;
 
 /* Adds the terms of one stream to sum->carried, sum->pushed and sum->absolute. The field `motion` of the stream must
-   have one of the known values. Sets *push = M' (u - v), where M' is the rate, u the velocity of the mass and v that of
-   the body, and *spin to the angular velocity of the mass. The argument `carried` is the velocity of the body's point
-   at which the mass enters or leaves, minus v. All vectors are in body axes. */
+   have one of the known values. Sets *push = M' (u - v), where M' is the rate, u the absolute velocity of the mass and
+   v the velocity of the body. Sets *spin to the angular velocity of the mass. The argument `carried` is the velocity
+   of the body's point at which the mass enters or leaves, minus v. All vectors are in body axes. */
 VM_INLINE void vmi_stream_motion(const vm_stream *s, const vmi_stream_seen *b, vm_vec3 carried, vmi_stream_sum *sum,
                                  vm_vec3 *push, vm_vec3 *spin)
 {
@@ -232,9 +237,9 @@ VM_INLINE int vmi_stream_sums(int n, const vm_stream *s, const vmi_stream_seen *
 }
 
 /* Gyration means the inertia per unit mass of the mass in a stream or a store. Returns VM_NOT_FINITE if an entry of the
-   gyration is infinite or NaN; VM_BAD_INERTIA if one of its moments xx, yy, zz is negative; else VM_OK. A gyration need
-   not satisfy the triangle inequality zz <= xx + yy; only the inertia of the body must satisfy it. Therefore zz may be
-   the only entry of a gyration that is not 0, which is enough for motion in a plane. */
+   gyration is infinite or NaN; VM_BAD_INERTIA if one of its moments xx, yy, zz is negative; else VM_OK. Only the
+   inertia of the body must satisfy the triangle inequality zz <= xx + yy; a gyration need not. Therefore a gyration
+   for motion in a plane may consist of the entry zz alone, with zero for all other entries. */
 VM_API int vmi_check_gyration(const vm_inertia *i)
 {
     if (!vmi_inertia_is_finite(i)) return VM_NOT_FINITE;

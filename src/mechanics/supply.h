@@ -1,10 +1,10 @@
 /* mechanics/supply.h - tanks and solid propellants: mass centre and inertia of the mass that is left
 
-   A supply is a round cylinder of stored mass inside a body: a tank of liquid, whose level falls; a tank of gas, whose
-   density falls; or a hollow cylinder of solid propellant (a grain), which burns radially outwards. The mass that is
-   left determines its mass centre, its inertia and their rates, and also the store (vm_store) from which a stream takes
-   the next mass. If a stream has this store, the moments that it causes are right. They include the jet damping, the
-   moment by which a jet slows the rotation of a body.
+   A supply is a round cylinder of stored mass inside a body. There are three kinds: a tank of liquid, whose level
+   falls, a tank of gas, whose density falls, and a hollow cylinder of solid propellant (a grain), which burns radially
+   outwards. The mass that is left determines its mass centre, its inertia and their rates, and also the store
+   (vm_store) from which a stream takes the next mass. If a stream has this store, the moments that the stream causes
+   are right. These moments include the jet damping, the moment by which a jet slows the rotation of a body.
 
        vm_supply tank = {VM_TANK_OF_LIQUID, {0, 0, -2}, {0, 0, 1}, 3, 0.5, 0, 800}; // 3 m long, radius 0.5 m, 800 kg
        vm_supply_left left;
@@ -33,8 +33,8 @@
 
 /* The kinds of supplies */
 enum {
-    VM_TANK_OF_LIQUID = 0, /* constant density; the tank empties from the lower end, and its surface stays normal to the
-                              axis. The liquid turns with the tank */
+    VM_TANK_OF_LIQUID = 0, /* constant density; the outlet is at the lower end. The surface of the liquid stays normal
+                              to the axis, and the liquid turns with the tank */
     VM_TANK_OF_GAS = 1,    /* constant volume; the density is the same everywhere, and falls as gas leaves */
     VM_GRAIN = 2           /* constant density; a hollow cylinder that burns from its bore outwards, not at its ends */
 };
@@ -60,7 +60,8 @@ typedef struct VM_TAG(vm_supply_left) {
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
     vm_vec3 centre_by_mass;     /* derivative of `centre` with respect to the mass, m/kg */
     vm_inertia inertia_by_mass; /* derivative of `inertia` with respect to the mass, m^2 */
-    vm_store store;             /* the place of the next mass that leaves, for the field `from` of a vm_stream */
+    vm_store store;             /* position and gyration of the mass that leaves next, for the field `from` of a
+                                   vm_stream */
 } vm_supply_left;
 
 /* The tensor axial e e^T + transverse (E - e e^T) for a unit vector e and the unit matrix E. The diagonal entries are
@@ -134,12 +135,13 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
 /* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their derivatives, and the store of
    the mass that leaves next.
    mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the function uses the same
-   formulas. The results then describe no body, but they change smoothly with the mass, as the trial steps of an
-   integrator need it. The errors are at most 8 eps of a scale: |at| + length for a position, the largest entry for a
-   tensor, and the length of the vector for centre_by_mass. This holds for a nearly empty or nearly full supply, too.
-   Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind; VM_NOT_FINITE if an argument or the result is infinite
-   or NaN; VM_BAD_MASS if supply.full is not positive; VM_DOMAIN if the length or the radius is not positive, if the
-   axis is 0, or if the bore of a grain is not between 0 and the radius; VM_OK otherwise. */
+   formulas. The results then describe no body, but they change smoothly with the mass. An integrator needs this,
+   because its trial steps may go beyond these limits. The errors are at most 8 eps of a scale: |at| + length for a
+   position, the largest entry for a tensor, and the length of the vector for centre_by_mass. These bounds hold for a
+   nearly empty or nearly full supply, too. Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind;
+   VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_BAD_MASS if supply.full is not positive; VM_DOMAIN
+   if the length or the radius is not positive, if the axis is 0, or if the bore of a grain is not between 0 and the
+   radius; VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;

@@ -2,7 +2,7 @@
    The rotation of a free body, for example after a part has separated from it, has a closed form (Jacobi 1850). The
    angular velocity omega follows from the elliptic functions sn, cn, dn of the time, and the attitude follows from one
    theta function and a rotation at a constant rate. Nothing is integrated. Therefore an evaluation costs the same at
-   any time, and its errors do not accumulate over time. The mass centre moves on a straight line.
+   any time, and errors do not accumulate from evaluation to evaluation. The mass centre moves on a straight line.
 
        vm_torque_free motion;
        vm_body later; // body is a vm_body
@@ -12,8 +12,8 @@
    and with three equal ones, and for rods and points. The spin of a rod or a point about an axis without moment of
    inertia stays constant. The functions also work for all rotations. Examples are a rotation about the axis of the
    middle moment of inertia, and the rotations on the separatrix. The separatrix is the set of all rotations that tend
-   to a rotation about this axis as time grows. The user need not tell the functions which of these cases a motion is.
-   Tests: tests/test_torque_free.c. */
+   to a rotation about this axis as time grows. The user need not know which of these cases a motion belongs to. Tests:
+   tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_TORQUE_FREE_H
 #define VARMASS_MECHANICS_TORQUE_FREE_H
 
@@ -32,19 +32,19 @@
 #include "torque_free_axes.h"
 #include "vectors.h"
 
-/* A motion prepared by vm_torque_free_init. It is plain data and may be copied. Read its fields, but do not change
-   them.
+/* A motion prepared by vm_torque_free_init. The struct contains no pointers and may be copied. Read its fields, but do
+   not change them.
    The next comment has the equations (A) and (B).
 
    Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 12 eps (rad) and that
    of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
    parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
-   the attitude by eps times the angle through which the body has turned. Close to the separatrix it changes the
-   attitude by more, because it shifts the time of every flip of the body. (Close to the separatrix a body turns nearly
-   uniformly about the axis of the middle moment for a long time and then flips over.) If a tensor has products of
-   inertia, the principal moments have only the digits of two words (sums of two vm_reals), which limits the accuracy
-   after many turns close to the separatrix. A component of omega below 2^-505 (float 2^-57) times the largest component
-   is taken as 0. */
+   the attitude by eps times the angle through which the body has turned. Close to the separatrix an input error
+   changes the attitude by more, because it shifts the time of every flip of the body. (Close to the separatrix a body
+   turns nearly uniformly about the axis of the middle moment for a long time and then flips over.) If a tensor has
+   products of inertia, the principal moments are computed in two words (as sums of two vm_reals). The errors of these
+   two words limit the accuracy after many turns close to the separatrix. A component of omega below 2^-505 (float
+   2^-57) times the largest component is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
     vm_body body;                /* the body at the time t0 */
     vm_real t0;                  /* the time at which the body has the state `body`, s */
@@ -86,13 +86,14 @@ typedef struct VM_TAG(vm_torque_free) {
    and the rates; the theta function; and `start`, for which q(t0) is the given attitude. The preparation computes in
    two words (sums of two vm_reals), because the rates wp/(4K) and kappa are multiplied by long times. An evaluation at
    a given time uses two words only for the products of rates and time. Moments and omega are divided by powers of two
-   so that they are about 1, which prevents overflow. */
+   so that their values are about 1, which prevents overflow. */
 
 /* ---- amplitudes and parameter ---- */
 
 /* The fields a1, a2, a3 and L are the squares of the amplitudes a1, a2, a3 of equation (A) above and of L. The fields
    h1 and h3 are the squares of I1 a1 and I3 a3. m is the parameter of sn, cn, dn, and m1 = 1 - m. The formulas contain
-   only one subtraction, in S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words. */
+   only one subtraction, in S = |2T I2 - L^2| (torque_free_axes.h), which is computed in three words (as a sum of three
+   vm_reals). */
 typedef struct VM_TAG(vmi_torque_free_squares) {
     vm_two a1, a2, a3, h1, h3, L, m1, m;
 } vmi_torque_free_squares;
@@ -196,8 +197,8 @@ VM_API vm_two vmi_torque_free_kappa(const vmi_torque_free_axes *axes, const vmi_
 }
 
 /* Computes the argument u of equation (A) above at t0 from sn^2 = (w2/a2)^2 and cn^2 = (w1/a1)^2. Returns u/(4K), or u
-   on the separatrix, where mean = 0. On the separatrix w1 can have either sign, but cn u is always positive; there
-   *sign is the sign of w1; elsewhere it is 1. */
+   on the separatrix, where mean = 0. On the separatrix w1 can have either sign, but cn u is always positive. Therefore
+   *sign is the sign of w1 on the separatrix, and 1 elsewhere. */
 VM_API vm_two vmi_torque_free_phase(const vmi_torque_free_axes *axes, const vmi_torque_free_squares *square,
                                     vm_two mean, vm_real *sign)
 {
@@ -340,7 +341,7 @@ VM_API vm_real vmi_torque_free_functions(const vm_torque_free *motion, vm_two t,
         turns = v.hi;
     }
     if (v.hi * v.hi > VMI_NEAR) theta = vmi_theta_far(&motion->far_form, 0, v);
-    else theta = vmi_theta_near(v.hi, motion->m1); /* NaN comes here, too */
+    else theta = vmi_theta_near(v.hi, motion->m1); /* also for NaN */
     theta = vmi_theta_shift(theta, motion->far_form.kp, (vmi_bits)((quarters + 2 * half_turns) & 3));
     vmi_theta_ratios(theta, motion->far_form.kp, sn, cn, dn);
     return turns;
@@ -367,8 +368,8 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
 /* ---- setting up ---- */
 
 /* Returns the attitude q, or a unit quaternion for it if the length of q is within 64 eps of 1. Each call of
-   vm_torque_free_rotation changes the length by up to 0.4 eps. If each call starts from the result of the previous
-   call, these changes would add up in the same direction. If the length differs from 1 by at most 4 eps, q is returned
+   vm_torque_free_rotation changes the length by up to 0.4 eps. Without this correction the changes would add up if
+   each call starts from the result of the previous call. If the length differs from 1 by at most 4 eps, q is returned
    without any change. */
 VM_API vm_quat vmi_torque_free_attitude_at_start(vm_quat q)
 {
@@ -464,7 +465,8 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
    If the quaternion at t0 was all zero, or if its length was within 64 eps of 1, the length of *q is 1. Returns
    VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
    is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
-   the result is finite and has the right angular momentum, but its phase has no meaning. */
+   the result is finite and has the right angular momentum, but the angle through which the body has turned has no
+   correct digits. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */

@@ -2,13 +2,13 @@
    This chapter is the first step of the preparation in torque_free.h. It finds the principal moments of inertia J_a >=
    J_b >= J_c, the principal axes a, b, c and the components w_a, w_b, w_c of the angular velocity omega along these
    axes. Each of these numbers is stored in two words, as the sum of two vm_reals, because the rates that follow from
-   them are multiplied by long times. Then this chapter numbers the axes 1, 2, 3. Axis 2 is b, the axis of the middle
-   moment. Axis 3 is the axis around which the vector omega moves in the body. Axis 3 is a or c, depending on the sign
-   of
+   these numbers are multiplied by long times. Then this chapter numbers the axes 1, 2, 3. Axis 2 is b, the axis of the
+   middle moment. Axis 3 is the axis around which the vector omega moves in the body. Axis 3 is a or c, depending on
+   the sign of
      2T J_b - L^2 = J_c (J_b - J_c) w_c^2 - J_a (J_a - J_b) w_a^2,
    where T is the kinetic energy and L the size of the angular momentum. If this number is positive or 0, axis 3 is c,
-   the axis of the smallest moment; else axis 3 is a. If the number is 0, omega tends to the direction of axis 2 as time
-   grows; the set of these motions is called the separatrix. All functions of this chapter are internal:
+   the axis of the smallest moment; else axis 3 is a. If the number is 0, the direction of omega tends to that of axis
+   2 as time grows. The set of these motions is called the separatrix. All functions of this chapter are internal:
 
        vmi_torque_free_body b; // whole is a vm_body
        vmi_torque_free_axes axes;
@@ -30,7 +30,7 @@
 
 /* ---- vectors in two words ---- */
 
-/* A vector whose three components are in two words each, that is, are sums of two vm_reals */
+/* A vector whose three components are stored in two words, that is, each as the sum of two vm_reals */
 typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
@@ -94,9 +94,9 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 
 /* ---- principal moments and axes ---- */
 
-/* The rotation of a body in its principal axes. `moment` has the principal moments divided by a power of two, `axis`
-   the principal axes in body axes, and `omega` the components of omega along the principal axes divided by another
-   power of two. */
+/* The rotation of a body in its principal axes. `moment` contains the principal moments, divided by a power of two.
+   `axis` contains the unit vectors of the principal axes, along body axes. `omega` contains the components of omega
+   along the principal axes, divided by another power of two. */
 typedef struct VM_TAG(vmi_torque_free_body) {
     vm_two moment[3];
     vmi_vec3_two axis[3], omega;
@@ -138,7 +138,7 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
 
 /* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_of_two(trace), where
    `trace` is the trace of the tensor *i. Sets b->omega to 0. If the tensor has no products of inertia, the moments are
-   exactly its scaled entries and the axes are exactly the body axes. */
+   exactly the scaled diagonal entries of the tensor, and the axes are exactly the body axes. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
@@ -179,9 +179,9 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 
 /* ---- the order of the axes ---- */
 
-/* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. Moments of a
-   tensor without products of inertia have no such errors: they are exactly equal, or they differ by more than such
-   errors. */
+/* Returns 1 if two moments differ by no more than the errors of their computation in two words, else 0. If a tensor
+   has no products of inertia, its moments have no such errors: two moments are then exactly equal, or they differ by
+   more than these errors. */
 VM_API int vmi_torque_free_are_equal(vm_two a, vm_two b)
 {
     const vm_real few = 64 * VM_EPSILON * VM_EPSILON;

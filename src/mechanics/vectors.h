@@ -1,15 +1,15 @@
 /* mechanics/vectors.h - vectors, quaternions and rotations in space
    The two types, vm_vec3 and vm_quat, are plain data. A quaternion describes the attitude of a body: it converts
-   components of vectors along body axes into components along inertial axes. Its length does not matter, and a
-   quaternion of four zeros stands for the identity.
+   components of vectors along body axes into components along inertial axes. The length of the quaternion does not
+   matter, and a quaternion of four zeros stands for the identity (no rotation).
 
        vm_vec3 omega = {0, 0, 3};                 // x, y, z
        vm_quat quarter_turn = {0.7071068, 0, 0, 0.7071068}; // w, x, y, z: 90 degrees about z
 
-   The functions vm_... are for users too: sum, difference, multiple, dot product, cross product and length of vectors,
-   product and normalisation of quaternions. The others are norms and rotation matrices. No function here checks its
-   arguments: infinite and NaN numbers go through the arithmetic. Tests: tests/test_attitude.c, tests/test_jumps.c,
-   tests/test_torque_free.c. */
+   The functions whose names begin with vm_ are for users. They compute sum, difference, multiple, dot product, cross
+   product and length of vectors, and product and normalisation of quaternions. The internal functions (vmi_) compute
+   norms and rotation matrices. No function here checks its arguments; infinite and NaN numbers are computed with like
+   any others. Tests: tests/test_attitude.c, tests/test_jumps.c, tests/test_torque_free.c. */
 #ifndef VARMASS_MECHANICS_VECTORS_H
 #define VARMASS_MECHANICS_VECTORS_H
 
@@ -85,7 +85,7 @@ VM_API vm_vec3 vmi_times(const vmi_mat3 *m, vm_vec3 a)
     return vm_add(vm_scale(a.x, m->x), vm_add(vm_scale(a.y, m->y), vm_scale(a.z, m->z)));
 }
 
-/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, it undoes the rotation. */
+/* The product of the transposed matrix m^T and the vector a. If m is a rotation matrix, m^T undoes the rotation. */
 VM_API vm_vec3 vmi_times_transposed(const vmi_mat3 *m, vm_vec3 a)
 {
     return vmi_vec3(vm_dot(m->x, a), vm_dot(m->y, a), vm_dot(m->z, a));
@@ -113,7 +113,8 @@ VM_API int vmi_quat_is_none(vm_quat q) { return q.w == 0 && q.x == 0 && q.y == 0
 VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z; }
 
 /* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
-   into those of a body, and p those of the body into inertial ones, p q turns those of the part into inertial ones. */
+   into the axes of a body, and p turns the axes of the body into inertial axes, then p q turns the axes of the part
+   into inertial axes. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;

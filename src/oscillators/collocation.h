@@ -32,9 +32,9 @@ VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real 
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
-/* Advances both runs to the time t, which is a point of a law's table or the end. At the ends of steps it compares the
-   two runs: it adds the absolute differences of their phases and of their ln A. *difference becomes the largest of
-   these sums. The runs stop before t where *difference is larger than `most`. */
+/* Advances both runs to the time t, which is a point of a law's table or the end. At the ends of steps the function
+   compares the two runs: the absolute difference of their phases and that of their ln A are added. *difference becomes
+   the largest of these sums. The runs stop before t where *difference is larger than `most`. */
 VM_API int vmi_osc_courses_to(vmi_osc_course *loose, vmi_osc_course *strict, vm_real t, vm_real most,
                               vm_real *difference)
 {
@@ -173,8 +173,8 @@ typedef struct VM_TAG(vmi_osc_pair_run) {
 } vmi_osc_pair_run;
 
 /* Sets amplitude and phase at t from the strict run. Before the call r->error is the error of ln A and of the phase;
-   after the call r->error is the error of x and v. The error of x and v is larger, because an error of x also enters v
-   = -2/(alpha+1) W A sa - p x. */
+   after the call r->error is the error of x and v. The error of x and v is larger, because v = -2/(alpha+1) W A sa - p
+   x also contains the error of x. */
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;

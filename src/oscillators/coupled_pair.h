@@ -1,13 +1,14 @@
 /* oscillators/coupled_pair.h - two bodies of different, variable masses with nonlinear connections
 
-   This generalizes the pair (517), (518) to two masses m1(t) and m2(t), each with its own law, any number of springs
-   and a damper between the bodies, and further forces f1, f2. With p = y - x and S(p), the sum of k p|p|^(alpha-1) over
-   all springs, the equations are
+   This file generalizes the pair of bodies (517), (518) of the dissertation. The masses m1(t) and m2(t) have laws of
+   their own. Any number of springs and a damper join the bodies, and further forces f1, f2 may act. x and y are the
+   positions of the bodies, p is y - x, and S(p) is the sum of k p|p|^(alpha-1) over all springs. The equations are
        m1 x'' =  S(p) + b p' - r m1' x' + f1,   m2 y'' = -S(p) - b p' - r m2' y' + f2
    b is the damping of the connection, r the share of the reactive force that acts. In the relative coordinate p, with
-   the reduced mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, they become, exactly and for all laws,
+   the reduced mass mu = m1 m2/(m1 + m2) and the velocity V of the mass centre, the two equations become one, exactly
+   and for all laws:
        mu p'' + S(p) + (r mu' + b) p' = -r mu (m2'/m2 - m1'/m1) V + mu (f2/m2 - f1/m1)
-   This is the equation of one oscillator, so that the methods of oscillators/routes.h can compute its motion.
+   It is the equation of one oscillator, so that the methods of oscillators/routes.h can compute p(t).
 
        vm_connection springs[2] = {{100, 1}, {2000, 3}}; // 100 N/m p + 2000 N/m^3 p^3
        vm_coupled_pair pair;
@@ -31,15 +32,16 @@
 #include "laws.h"
 #include "problem.h"
 
-/* A spring between two bodies: it pulls with the force k p|p|^(alpha-1), N. p is the distance of the bodies minus the
-   length of the spring at rest. */
+/* A spring between two bodies, which pulls with the force k p|p|^(alpha-1), N. p is the distance of the bodies minus
+   the length of the spring without load. */
 typedef struct VM_TAG(vm_connection) {
     vm_real k;     /* stiffness, N/m^alpha, > 0 */
     vm_real alpha; /* exponent, >= 0 */
 } vm_connection;
 
-/* A user's function for further forces: y = (x, y, x', y'). It adds the forces on the bodies, N, to force[0] and
-   force[1], and returns 0 to go on; any other number ends the run. */
+/* A user's function for further forces. The array y contains the positions and velocities (x, y, x', y') of the bodies.
+   The function adds the forces on the bodies, N, to force[0] and force[1]. It returns 0 to go on, or any other number
+   to end the run. */
 typedef int (*vm_pair_force)(vm_real t, const vm_real *y, vm_real *force, void *ctx);
 
 /* Two bodies, the connections between them, and further forces */
@@ -79,11 +81,11 @@ VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses 
 }
 
 /* Equations of motion of two bodies with different masses and several connections, for rk45 or rk87.
-   y = (x, y, x', y') is in m and m/s; pair points to a vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for
-   a negative number of connections, and for a mass law that no constructor made; VM_NOT_FINITE for a number that is
-   infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS for a stiffness that is not positive;
-   VM_DOMAIN for an exponent < 0 and for t outside a table. If the function `force` returns a number other than 0,
-   returns this number. These statuses stop the run. */
+   The array y contains the positions (m) and velocities (m/s) of the bodies, (x, y, x', y'). pair points to a
+   vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for a negative number of connections, and for a mass law
+   that no constructor made; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not
+   positive; VM_BAD_STIFFNESS for a stiffness that is not positive; VM_DOMAIN for an exponent < 0 and for t outside a
+   table. If the function `force` returns a number other than 0, returns this number. These statuses stop the run. */
 VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -172,11 +174,11 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
 
 /* Writes the oscillator whose position is p = y - x, the relative coordinate of two bodies with one connection. The
    functions of oscillators/routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive
-   *problem. The equation of the oscillator is exact. If `reactive` is 1, if the mass centre moves, and if m1'/m1
-   differs from m2'/m2, the small force -mu (m2'/m2 - m1'/m1) V also acts on the oscillator; mu is the reduced mass, V
-   the velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there
-   is not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then
-   the motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. */
+   *problem. The equation of the oscillator is exact. The small force -mu (m2'/m2 - m1'/m1) V also acts on the
+   oscillator if `reactive` is 1, the mass centre moves, and m1'/m1 differs from m2'/m2. mu is the reduced mass, V the
+   velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there is
+   not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then the
+   motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;

@@ -4,23 +4,22 @@
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
    with
      E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
-   sa and ca are the Ateb sine and cosine of psi, m is the mass and alpha the exponent of the spring. p is the slow rate
-   at which A decreases, a = (reactive m' + b)/m with the damping b, and W is the rate of psi for constant mass and
-   stiffness. The equations are solved with psi as the independent
-   variable: each step integrates ln A and t from one zero of x to the next. For most alpha the force of the spring is
-   not smooth at x = 0. But the steps end at x = 0, so this point never lies inside a step, where it would cause the
-   largest errors.
+   sa and ca are the Ateb sine and cosine of psi, m is the mass, alpha the exponent of the spring, and V the largest
+   velocity. p is the slow rate at which ln A decreases, a is (reactive m' + b)/m with the damping b, and W is the rate
+   of psi for constant mass and stiffness. The equations are solved with psi as the independent variable: each step
+   integrates ln A and t from one zero of x to the next. For most alpha the force of the spring is not smooth at x = 0.
+   But the steps end at x = 0, so this point never lies inside a step, where it would cause the largest errors.
 
    A step uses Gauss' collocation: polynomials approximate the rates, and satisfy the equations exactly at n points of
    the step, the nodes. These conditions are solved by iteration in several rounds. The first round starts from values
    that are extrapolated from the earlier steps.
 
-   Without a force the rates of ln A and t consist of slow functions and of a swing, a part that varies like ca^2 and sa
-   ca and is proportional to E. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
+   Without a force the rates of ln A and t consist of slow functions and of a swing. The swing is proportional to E and
+   varies like ca^2 and sa ca. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
    ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So the errors of Gauss' rule in these
    integrals are known, and each step corrects them. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
-   force such closed forms do not exist; for alpha < 3 the nodes then lie closer together at the ends of the steps
-   (vmi_gauss_rule_grade).
+   force there are no closed forms. If a force acts and alpha is less than 3 and not 1, the nodes lie closer together at
+   the ends of the steps (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
        vmi_osc_course_start(&c, &plan, &reduced, 1, 4, 1, VM_C(1e-12)); // the vm_osc_plan plan, reduced at t = 0
@@ -52,7 +51,8 @@ enum { VMI_HISTORY = 7 };
 
 /* sa and ca at the nodes of a step, and the errors `misses` of Gauss' rule: the exact integral minus the result of the
    rule, for the four functions ca^2, (x - 1/2) ca^2, sa ca and (x - 1/2) sa ca. x goes from 0 at the start of the step
-   to 1 at its end. Row i < n of `misses` is for the integrals over x from 0 to node i, row n for those from 0 to 1. */
+   to 1 at its end. Row i < n of `misses` is for the integrals over x from 0 to node i, row n for the integrals from 0
+   to 1. */
 enum { VMI_MISSES_CA2, VMI_MISSES_CA2_X, VMI_MISSES_SACA, VMI_MISSES_SACA_X, VMI_MISSES };
 typedef struct VM_TAG(vmi_step_waves) {
     vm_real sa[VMI_NODES], ca[VMI_NODES];
@@ -65,8 +65,9 @@ typedef struct VM_TAG(vmi_step_rates) {
     vm_real E[2]; /* E = (p^2 - a p - p')/W^2 at the first and at the last node */
 } vmi_step_rates;
 
-/* A run, that is one computation of the motion from 0 to t. A half period goes from one zero of ca to the next. It is
-   one part, or two parts that meet where sa = 0. Each step covers one part, unless it starts or ends inside a part. */
+/* A run, that is one computation of the motion from 0 to t. A half period goes from one zero of ca to the next. A half
+   period has one part, or two parts that meet where sa = 0. Each step covers one part, unless the step starts or ends
+   inside a part. */
 typedef struct VM_TAG(vmi_osc_course) {
     const vm_osc_plan *plan;
     vmi_osc_wave wave;
@@ -76,7 +77,8 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real stop;          /* time, s, at which a step must end: a point of a table or the end of the run. Mass and
                               stiffness are not evaluated beyond it */
     vm_real longest;       /* the longest step, s */
-    vm_real sweep_limit;   /* the iteration of a step ends when the estimated error of the phase is at most this */
+    vm_real sweep_limit;   /* the iteration of a step ends when the estimated error of the phase is at most this
+                              number */
     vm_real psi, ln_A, t;  /* phase, ln(A/A0) with the amplitude A0 of the plan, time, s */
     vm_real A;             /* amplitude, m; only set for problems with a force */
     vm_real Om;            /* rate of the phase, 1/s, at this amplitude with the mass and stiffness at time 0 */
@@ -85,9 +87,9 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                 /* sa, ca and `misses` for each part of a half period */
-    vmi_step_rates difference[2][VMI_HISTORY]; /* for each part: rates of the last step that
-                                                covered all of it, and backward differences
-                                                of these rates over such steps */
+    vmi_step_rates difference[2][VMI_HISTORY]; /* for each part: the rates of the last step that covered the whole part,
+                                                  and the backward differences of these rates from one such step to the
+                                                  next */
     int known[2];          /* number of earlier steps over each part from which `difference` was computed */
     long evals;            /* number of evaluations of the rates */
 } vmi_osc_course;
@@ -148,8 +150,8 @@ VM_API void vmi_osc_subtract_rule(const vmi_gauss_rule *rule, int i, vmi_step_wa
 }
 
 /* Writes sa and ca at the nodes of a step that starts at the phase `from`, and the errors w->misses of Gauss' rule in
-   the integrals of ca^2 and sa ca over this step. In a very short step these errors would only be rounding errors, so
-   they are set to 0. */
+   the integrals of ca^2 and sa ca over this step. In a very short step the computed values of these errors would only
+   be rounding errors, so the function writes 0. */
 VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real length, vmi_step_waves *w)
 {
     const vm_real very_short = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -499,9 +501,9 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
     return c->rule.graded ? vmi_graded(part) : part;
 }
 
-/* Makes a step that ends at c->stop. It replaces the longer step `beyond`, which would go past c->stop. `certain` is 0
-   if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than `beyond`, the run
-   stays unchanged, since no step may cross a zero of x. */
+/* Makes a step that ends at c->stop. This step replaces the longer step `beyond`, which would go past c->stop.
+   `certain` is 0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than
+   `beyond`, the run stays unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -564,8 +566,8 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + s->whole.t)) >= 0;
 }
 
-/* Makes a step whose length is at most `most`, between 0 and 1, times the length up to the end of the present part of
-   the half period. If the step would go beyond c->stop, it is shortened to end at c->stop. */
+/* Makes one step. The argument `most` is between 0 and 1: the step is at most this fraction of the phase up to the end
+   of the present part of the half period. If the step would go beyond c->stop, it is shortened to end at c->stop. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
@@ -598,7 +600,7 @@ VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
     return VM_OK;
 }
 
-/* Makes one step. Where its iteration does not converge, it tries shorter and shorter steps. */
+/* Makes one step. If the iteration of the step does not converge, the function tries shorter and shorter steps. */
 VM_API int vmi_osc_course_step(vmi_osc_course *c)
 {
     const vm_real shortest = VM_C(0.01); /* steps below this fraction of their full length are not halved */

@@ -1,9 +1,9 @@
 /* oscillators/diagnostics.h - turning points and zeros of any motion, envelopes, how slow changes are
 
-   The motion is given as a trajectory x(t), v(t). It may come from a method of oscillators/routes.h, from a closed form
-   or from an integrator's dense output, that is its solution between the ends of a step. At the turning points of the
-   trajectory its amplitude is compared with an amplitude law. The zero crossings give the largest velocities and the
-   periods.
+   The motion is given as a trajectory x(t), v(t). The trajectory may come from a method of oscillators/routes.h, from a
+   closed form, or from the dense output of an integrator, which is its solution between the ends of a step. The |x| at
+   the turning points of the trajectory is compared with an amplitude law. The zero crossings give the largest
+   velocities and the periods.
 
        vm_sample turning[8]; // motion: a function of the user, see vm_motion_function
        long n = vm_find_samples(motion, NULL, VM_TURNING_POINTS, 0, 20, VM_C(0.1), 8, turning);
@@ -21,7 +21,7 @@
 #include "problem.h"
 #include "slow.h"
 
-/* A user's trajectory: writes position x and velocity v at time t. ctx is the user's pointer. */
+/* A user's function for a trajectory, which writes position x and velocity v at time t. ctx is the user's pointer. */
 typedef void (*vm_motion_function)(vm_real t, vm_real *x, vm_real *v, void *ctx);
 
 /* A point of a trajectory: time, position and velocity, in the units of the trajectory */
@@ -35,8 +35,8 @@ enum {
     VM_ZERO_CROSSINGS = 1  /* where the position x is 0 */
 };
 
-/* Returns 1 if a search is possible, else 0. It is possible if the kind of point exists, if `room` is not negative, and
-   if for room > 0 samples is not null. */
+/* Returns 1 if a search is possible, else 0. A search is possible if the kind of point exists, if `room` is not
+   negative, and if `samples` is not null where `room` is positive. */
 VM_API int vmi_samples_are_possible(int kind, long room, const vm_sample *samples)
 {
     return (kind == VM_TURNING_POINTS || kind == VM_ZERO_CROSSINGS) && (room == 0 || (room > 0 && samples));
@@ -62,12 +62,13 @@ VM_API vm_real vmi_sample_function(vm_real t, void *search)
 }
 
 /* Turning points or zero crossings of a trajectory in (t0, t1]. kind is VM_TURNING_POINTS or VM_ZERO_CROSSINGS. The
-   trajectory is evaluated at equal intervals of at most |step|; where v (for turning points) or x (for zero crossings)
-   changes its sign, the point is located within 4 eps of its time. step should be a small part of a period; it is
-   negative where t1 < t0. The first `room` points are written to samples, in the order in which they are found. Returns
-   the number of points, which may be more than room, or a negative status: VM_BAD_ARGUMENT for a null pointer, an
-   unknown kind or a negative room; VM_NOT_FINITE for a step that is 0, infinite or of the wrong sign, for more than 2e9
-   steps, and where the trajectory is not finite. Points that were found before the error stay in samples. */
+   function evaluates the trajectory at equal intervals of at most |step|. Where v (for turning points) or x (for zero
+   crossings) changes its sign, the time of the point is found within 4 eps. step should be a small part of a period;
+   step must be negative where t1 < t0. The first `room` points are written to samples, in the order in which they are
+   found. Returns the number of points, which may be more than room, or a negative status. The statuses are
+   VM_BAD_ARGUMENT for a null pointer, an unknown kind or a negative room; VM_NOT_FINITE for a step that is 0, infinite
+   or of the wrong sign, for more than 2e9 steps, and where the trajectory is not finite. Points that were found before
+   the error stay in samples. */
 VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_real t0, vm_real t1, vm_real step,
                             long room, vm_sample *samples)
 {
@@ -144,9 +145,9 @@ VM_API long vm_find_samples_of_step(rk45 *s, int x, int v, int kind, vm_real *bu
 }
 
 /* Largest relative error of an amplitude law, |law(t)/observed - 1|, over n samples. The observed value is |x| for
-   VM_TURNING_POINTS and |v| for VM_ZERO_CROSSINGS. The user's function law returns the amplitude or the largest
-   velocity at time t; ctx is its last argument. Returns 0 for n = 0. Returns NaN for null pointers, for an unknown
-   kind, for n < 0, and where the function law returns NaN or a sample is infinite or NaN. */
+   VM_TURNING_POINTS and |v| for VM_ZERO_CROSSINGS. The user's function `law` returns the amplitude or the largest
+   velocity at time t; ctx is the last argument of this function. Returns 0 for n = 0. Returns NaN for null pointers,
+   for an unknown kind, for n < 0, and where the function `law` returns NaN or a sample is infinite or NaN. */
 VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_real (*law)(vm_real t, void *ctx),
                                  void *ctx)
 {
@@ -163,7 +164,7 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_
     return worst;
 }
 
-/* Adiabaticity q/Om of an oscillator at time t and amplitude A, the small parameter of averaging.
+/* Adiabaticity q/Om of an oscillator at time t and amplitude A. This quotient is the small parameter of averaging.
    q = ((2r-1) m' + 2 b)/m + k'/k is the rate at which mass, damping and stiffness change the motion, with r = reactive,
    b = damping, mass m and stiffness k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses
    only alpha, mass, stiffness, reactive and damping of the problem. For a motion that starts at rest, errors of

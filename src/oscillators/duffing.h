@@ -3,11 +3,10 @@
    With constant mass the equation is x'' + c1 x + c3 x^3 = 0, where c1 = k1/m and c3 = k3/m. Its exact motion is
    written with Jacobi's functions, for each sign of the coefficients:
      c1 >= 0, c3 >= 0   hardening spring: every motion is a vibration around 0, x = A cn
-     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; larger motions run away: |x| grows
-                        without limit
+     c1 > 0, c3 < 0     softening spring: vibrations around 0 with A^2 < -c1/c3; in larger motions |x| goes to infinity
      c1 < 0, c3 > 0     two wells, at x^2 = -c1/c3: outer vibrations around both, x = A cn, and inner ones in one of
-                        them, x = A dn; between these two kinds of motion is the separatrix x = A/cosh with an infinite
-                        period
+                        them, x = A dn; between these two kinds of motion is the separatrix x = A/cosh(lambda t), whose
+                        period is infinite
        vm_real x, v;
        vm_real T = vm_duffing_period(2, 1, VM_C(0.5)); // x'' + x + x^3/2 = 0 from rest at x = 2 m
        vm_duffing_exact_from(T / 8, 2, 0, 1, VM_C(0.5), &x, &v);
@@ -40,7 +39,7 @@ VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
 }
 
 /* Returns d = A^2 - x^2, the square of the amplitude A minus x^2. The number d solves c3 d^2/2 + slope d = v^2, where
-   slope = c1 + c3 x^2. Returns NaN for a motion that runs away. */
+   slope = c1 + c3 x^2. Returns NaN if the motion goes to infinity. */
 VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
 {
     const vm_real root = VM_SQRT(slope * slope + 2 * c3 * (v * v));
@@ -51,8 +50,8 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
 }
 
 /* Writes the size and place of the orbit (oscillators/odd_force.h) that contains the state (x, v). With two wells the
-   orbit lies in one well if its energy is not above the energy of a body at rest at x = 0. Returns VM_NO_LAW for a
-   motion that runs away. */
+   orbit lies in one well if its energy is not above the energy of a body at rest at x = 0. Returns VM_NO_LAW if the
+   motion goes to infinity. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -128,7 +127,7 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
 }
 
 /* Computes all other fields of an orbit from its place and its size > 0. Returns VM_NO_LAW on a separatrix and where
-   the motion runs away. */
+   the motion goes to infinity. */
 VM_API int vmi_duffing_complete(vmi_orbit *orbit)
 {
     int status;
@@ -223,7 +222,7 @@ VM_API int vmi_duffing_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x,
 }
 
 /* Duffing's force without the function that computes its ripple (oscillators/orbit_ripple.h). The functions for
-   constant mass do not need the ripple; so a program that uses only these functions does not contain the code for the
+   constant mass do not need the ripple. So a program that uses only these functions does not contain the code for the
    ripple. */
 VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
 {
@@ -239,8 +238,8 @@ VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
     return force;
 }
 
-/* Duffing's force k1 x + k3 x^3. k1, N/m, and k3, N/m^3, may have either sign, but at least one must be positive:
-   otherwise nothing vibrates, and all functions refuse the force with VM_NO_LAW. */
+/* Duffing's force k1 x + k3 x^3. k1 (N/m) and k3 (N/m^3) may have either sign, but at least one of them must be
+   positive. Otherwise there are no vibrations, and all functions refuse the force with VM_NO_LAW. */
 VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vmi_duffing_elastic(k1, k3);
@@ -263,7 +262,7 @@ VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
 /* -- Constant mass: energy, period, action and exact motion -- */
 
 /* Energy per unit mass of Duffing's oscillator, v^2/2 + c1 x^2/2 + c3 x^4/4, m^2/s^2.
-   It is conserved. Returns NaN for infinite arguments. */
+   The energy stays constant during a motion. Returns NaN for arguments that are infinite or NaN. */
 VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
 {
     if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(c1) || !VM_IS_FINITE(c3)) return VM_NAN;
@@ -282,8 +281,9 @@ VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 
 /* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
    For a motion in one of two wells it is the time of one vibration in this well. The period is infinite on the
-   separatrix. The relative error is at most 8 eps where no terms of the sums c1 + c3 x0^2 and c1 + c3 x0^2/2
-   cancel. Returns NaN where the motion runs away, at x0 = 0, and for infinite arguments. */
+   separatrix. The relative error is at most 8 eps where the two terms of c1 + c3 x0^2, and those of c1 + c3 x0^2/2, do
+   not cancel. Returns NaN if the motion goes to infinity, if the body stays at rest (at x0 = 0 or x0^2 = -c1/c3), and
+   if an argument is infinite or NaN. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -296,8 +296,9 @@ VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 }
 
 /* Action, m^2/s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
-   It is the integral of v dx over a period, divided by 2 pi. It stays constant while mass or stiffness changes slowly.
-   Domain and accuracy are those of vm_duffing_period, but the action is 0 for x0 = 0, and NaN on the separatrix. */
+   The action is the integral of v dx over a period, divided by 2 pi. If c1 and c3 change slowly, the action stays
+   nearly constant. Domain and accuracy are those of vm_duffing_period, but the action is 0 for x0 = 0 and for a body at
+   rest in a well, and NaN on the separatrix. */
 VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -320,10 +321,11 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 }
 
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
-   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps
-   of the amplitude and of the largest velocity, times 1 + t/period, where no terms of the sums c1 + c3 A^2 and c1 + c3
-   A^2/2 cancel. A is the amplitude. Writes NaN where the motion runs away and for infinite arguments, and nothing where
-   the pointer to an output is null. Equations: DLMF 22.19(ii). */
+   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps of
+   the amplitude and of the largest velocity, times 1 + t/period, where the two terms of c1 + c3 A^2, and those of c1 +
+   c3 A^2/2, do not cancel. A is the amplitude. If the motion goes to infinity, or an argument is infinite or NaN, NaN
+   is written to both x and v. The same holds for c1 > 0, c3 < 0, A^2 = -c1/c3, the border of the motions that go to
+   infinity. If x or v is a null pointer, nothing is written. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;

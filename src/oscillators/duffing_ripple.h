@@ -4,13 +4,14 @@
    of the motion about its mean within a period, follows from a(phi). For Duffing's force c1 x + c3 x^3 this function is
    a Fourier series whose terms have a closed form, so that no numerical integration is needed. Let zeta be 2 phi for an
    orbit around 0 and phi for an orbit in a well, and let Omega be the rate of zeta. Let q be the nome of the parameter
-   m of Jacobi's functions; for 0 < m < 1 it is exp(-pi K(1-m)/K(m)). Then
+   m of Jacobi's functions. For 0 < m < 1 the nome is exp(-pi K(1-m)/K(m)), where K is the complete elliptic integral.
+   Then
        a = sum over n >= 1 of a_n sin(n zeta),   a_n = -(2 Omega/(3 c3)) (2 c1 + n^2 Omega^2) q^n/(1 - q^(2n)).
    Method: a is the periodic part of an integral of v^2 over time, and v^2 is a polynomial in sn^2(u) with the argument
    u of Jacobi's functions. So the integrals of sn^2 and sn^4 are needed. The integral of sn^2 is a multiple of u minus
    Z(u)/m, where Jacobi's zeta function Z is periodic. Because (sn cn dn)' = 1 - 2 (1 + m) sn^2 + 3 m sn^4, the integral
-   of sn^4 consists of u, the integral of sn^2 and sn cn dn = -Z''/(2m). So a is a combination of Z and Z'', and the
-   Fourier series of both follow from that of Z (DLMF 22.11, 22.16(iii)).
+   of sn^4 consists of u, the integral of sn^2 and sn cn dn = -Z''/(2m). So a is a combination of Z and Z''. The Fourier
+   series of Z is known (DLMF 22.11, 22.16(iii)), and gives the series of Z'' and of a.
        vmi_orbit_ripple ripple;
        vmi_duffing_ripple(&orbit, &ripple); // orbit is a complete orbit of vm_duffing_force
    Tests: tests/test_odd_force.c. */
@@ -24,10 +25,10 @@
 #include "odd_force.h"
 #include "orbit_ripple.h"
 
-/* Returns the nome q of the parameter m = 1 - m1 (see the top of this file), and writes q/m to *by_m. For m -> 0 the
-   quotient q/m has a limit. K is the complete elliptic integral K(m). q and q/m have an error of some 1e-13 (float:
-   some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a series in e = (1 -
-   k'^(1/2))/(2 (1 + k'^(1/2))) with k' = sqrt(m1). For m < 0 the nome of m is minus the nome of m/(m - 1). */
+/* Returns the nome q of the parameter m = 1 - m1 (see the top of this file), and writes q/m to *by_m. The quotient q/m
+   has a limit for m -> 0. The argument K is the complete elliptic integral K(m). q and q/m have an error of some 1e-13
+   (float: some rounding errors), which is small enough for the ripple. Close to m = 0 the code uses a power series in e
+   = (1 - k'^(1/2))/(2 (1 + k'^(1/2))), where k' = sqrt(m1). For m < 0 the nome of m is minus the nome of m/(m - 1). */
 VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
 {
     const vm_real series_holds = VM_C(0.1), kp = VM_SQRT(m1), root = VM_SQRT(kp);
@@ -43,8 +44,9 @@ VM_API vm_real vmi_duffing_nome(vm_real m, vm_real m1, vm_real K, vm_real *by_m)
     return q;
 }
 
-/* The number 2 c1/Omega^2 + 1 for an orbit in a well with the nome q. It is computed as -24 (sum of d q^(2d)/(1 -
-   q^(2d)) over odd d). For small orbits 2 c1/Omega^2 and 1 nearly cancel, and the sum avoids this loss of digits. */
+/* The number 2 c1/Omega^2 + 1 for an orbit in a well with the nome q; the top of this file explains c1 and Omega. For
+   small orbits 2 c1/Omega^2 and 1 nearly cancel, and digits would be lost. Therefore the function computes the number
+   as -24 times the sum of d q^(2d)/(1 - q^(2d)) over odd d. */
 VM_API vm_real vmi_duffing_well_term(vm_real q)
 {
     const vm_real q2 = q * q;
@@ -122,9 +124,9 @@ VM_API vmi_duffing_terms vmi_duffing_terms_of(const vmi_orbit *orbit)
     return vmi_duffing_inner_terms(orbit);
 }
 
-/* Writes the ripple of an orbit of Duffing's force whose fields are all set. The Fourier series ends where its terms
-   are too small to matter; 96 terms are enough even for an orbit that is only a rounding error away from a
-   separatrix. */
+/* Writes the ripple of an orbit of Duffing's force whose fields are all set. The Fourier series ends where its
+   terms are below about 1e-11 (float 1e-6) of the largest term. 96 terms are enough even for an orbit that is only a
+   rounding error away from a separatrix. */
 VM_API void vmi_duffing_ripple(const vmi_orbit *orbit, vmi_orbit_ripple *r)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-11) : VM_C(1e-6);

@@ -3,8 +3,8 @@
    If mass and stiffness vary slowly, amplitude A and phase psi of oscillators/reduction.h obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,
    where W is the rate of the phase at the amplitude A for constant mass and stiffness; p and G_0 are defined in
-   oscillators/reduction.h. Only the number G_0/W^2 disturbs the slow motion A'/A = -p, psi' = W. G_0/W^2 is of second
-   order in epsilon, the relative change of mass and stiffness within a radian of the phase.
+   oscillators/reduction.h. Only the number G_0/W^2 disturbs the slow motion A'/A = -p, psi' = W. This number is of
+   second order in epsilon, the relative change of mass and stiffness within a radian of the phase.
 
    A canonical transformation, which is a change of variables that keeps the form of Hamilton's equations, leads from A
    and psi to two mean values: a mean action, which is constant, and a mean phase, whose rate varies slowly. The mean
@@ -13,17 +13,17 @@
    ..., which are of order epsilon^(k+2):
      E_k = G_k/W^(k+2),   G_(k+1) = G_k' - (k+2) (2p - a) G_k.
    Here a is the rate of oscillators/reduction.h. This file has the transformation in both directions, and the mean rate
-   of the phase. If the series is cut off after the order N, it gives the motion with an error of O(epsilon^N) up to
+   of the phase. If the series is cut off after the order N, the error of the motion is of the order epsilon^N, up to
    times of the order of 1/epsilon. The law is new; docs/law.md derives it.
 
    C, S, S2, S3 and Q are the functions of the phase in oscillators/ripple.h. The weight of a term is the power of
    epsilon in it: E_k has weight k + 2.
        vmi_ripple r;
        vmi_ripple_values f;
-       vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_J;
+       vm_real E[VMI_EXPANSION_E] = {VM_C(1e-4), 0, 0, 0}, ln_ratio;
        vmi_ripple_init(&r, 1, vmi_ateb_constants); // a linear spring
        vmi_ripple_at(&r, 2, 0, 0, 1, &f);          // phase 0: sa = 0, ca = 1
-       ln_J = vmi_expansion_J(&r, 2, &f, E); // ln of the mean action divided by the action
+       ln_ratio = vmi_expansion_J(&r, 2, &f, E);   // ln(mean action/action)
    Tests: tests/test_slow_motion.c. */
 #ifndef VARMASS_OSCILLATORS_EXPANSION_H
 #define VARMASS_OSCILLATORS_EXPANSION_H
@@ -39,8 +39,9 @@ enum { VMI_EXPANSION_E = 4 };
 
 /* -- From the motion to the mean motion -- */
 
-/* Returns ln(mean action/action) at the phase psi, as the sum of all terms whose weight, the power of epsilon in a
-   term, is at most `order`. f contains the functions C, S ... of oscillators/ripple.h at psi, and E the numbers E_k. */
+/* Returns ln(mean action/action) at the phase psi: the sum of all terms of the series with a weight of at most `order`.
+   The weight of a term is the power of epsilon in it. f contains the functions C, S ... of oscillators/ripple.h at psi,
+   and E the numbers E_k. */
 VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -57,8 +58,9 @@ VM_API vm_real vmi_expansion_J(const vmi_ripple *r, int order, const vmi_ripple_
     return sum;
 }
 
-/* Returns the mean phase minus the phase psi, as the sum of all terms whose weight, the power of epsilon in a term, is
-   at most order - 1. f contains the functions C, S ... of oscillators/ripple.h at psi, and E the numbers E_k. */
+/* Returns the mean phase minus the phase psi: the sum of all terms of the series with a weight of at most order - 1.
+   The weight of a term is the power of epsilon in it. f contains the functions C, S ... of oscillators/ripple.h at psi,
+   and E the numbers E_k. */
 VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, m = r->mean2, half = r->scale / 2, square = r->scale * r->scale / 8;
@@ -75,9 +77,10 @@ VM_API vm_real vmi_expansion_psi(const vmi_ripple *r, int order, const vmi_rippl
 
 /* -- From the mean motion to the motion -- */
 
-/* Returns the phase psi minus the mean phase, as the sum of all terms whose weight, the power of epsilon in a term, is
-   at most order - 1. f contains the functions C, S ... of oscillators/ripple.h at the mean phase, and E the numbers
-   E_k. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of two terms with E_0. */
+/* Returns the phase psi minus the mean phase: the sum of all terms of the series with a weight of at most order - 1.
+   The weight of a term is the power of epsilon in it. f contains the functions C, S ... of oscillators/ripple.h at the
+   mean phase, and E the numbers E_k. The result is -vmi_expansion_psi, evaluated at the mean phase, plus a product of
+   two terms with E_0. */
 VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real product = r->scale * r->scale / 4 * (1 - 2 * r->gamma) * E[0] * E[0] * f->C * f->S;
@@ -85,10 +88,10 @@ VM_API vm_real vmi_expansion_psi_back(const vmi_ripple *r, int order, const vmi_
     return order >= 5 ? sum + product : sum;
 }
 
-/* Returns ln(action/mean action), as the sum of all terms whose weight, the power of epsilon in a term, is at most
-   order - 1; `order` is from 3 to 5. f contains the functions C, S ... of oscillators/ripple.h at the mean phase, and E
-   the numbers E_k. The result is -vmi_expansion_J, evaluated at the mean phase, plus a product of two terms with
-   E_0. */
+/* Returns ln(action/mean action): the sum of all terms of the series with a weight of at most order - 1. The weight of
+   a term is the power of epsilon in it, and `order` is from 3 to 5. f contains the functions C, S ... of
+   oscillators/ripple.h at the mean phase, and E the numbers E_k. The result is -vmi_expansion_J, evaluated at the mean
+   phase, plus a product of two terms with E_0. */
 VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ripple_values *f, const vm_real *E)
 {
     const vm_real g = r->gamma, square = r->scale * r->scale / 2 * E[0] * E[0];
@@ -99,12 +102,12 @@ VM_API vm_real vmi_expansion_J_back(const vmi_ripple *r, int order, const vmi_ri
 
 /* -- The mean rate of the phase -- */
 
-/* The factor `first` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), where W is the rate of the phase
-   for the mean action without E_0. The laws of all orders from 2 to 5 need this factor. */
+/* The factor `first` in the mean rate of the phase, which is W (1 + first E_0 + second E_0^2). W is the rate of the
+   phase that belongs to the mean action for E_0 = 0. The laws of all orders from 2 to 5 need `first`. */
 VM_API vm_real vmi_expansion_first(const vmi_ripple *r) { return (r->alpha + 1) / 2 * r->mean2; }
 
-/* The factor `second` of the mean rate of the phase, W (1 + first E_0 + second E_0^2), which the laws of orders 4 and 5
-   need. W is the rate of the phase for the mean action without E_0. */
+/* The factor `second` in the mean rate of the phase, which is W (1 + first E_0 + second E_0^2). W is the rate of the
+   phase that belongs to the mean action for E_0 = 0. The laws of the orders 4 and 5 need `second`. */
 VM_API vm_real vmi_expansion_second(const vmi_ripple *r)
 {
     return -r->scale * r->scale / 8 * r->variance * (2 - 3 * r->gamma) * (1 - 3 * r->gamma);
@@ -149,9 +152,9 @@ VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, c
 
 /* -- What the law of order five leaves out -- */
 
-/* The sizes of the terms of weight w, for w = 2 to 6. J[w] is the size of the terms in vmi_expansion_J, psi[w] of those
-   in vmi_expansion_psi; psi[6] contains only the term with E_4. The terms of weight w are of order epsilon^w, where
-   epsilon is the relative change of mass and stiffness within a radian of the phase. */
+/* The sizes of the terms of weight w, for w = 2 to 6. J[w] is the size of the terms in vmi_expansion_J, and psi[w] the
+   size of the terms in vmi_expansion_psi. psi[6] contains only the term with E_4. The terms of weight w are of order
+   epsilon^w, where epsilon is the relative change of mass and stiffness within a radian of the phase. */
 typedef struct VM_TAG(vmi_expansion_sizes) {
     vm_real J[7], psi[7];
 } vmi_expansion_sizes;
@@ -174,9 +177,10 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     size->psi[5] += square * e[0] * e[1] * d * d;
 }
 
-/* An upper bound of the terms of order epsilon^6 in the mean rate of the phase, divided by W. They are the largest
-   terms of this rate that the law of order five leaves out. product is |E_0 E_2| and cube is |E_0|^3. If product and
-   cube are instead the integrals of these numbers over the phase, the result is a bound of the error of the phase. */
+/* An upper bound of the terms of order epsilon^6 in the mean rate of the phase, divided by W. These terms are the
+   largest ones that the law of order five leaves out of this rate. The argument product is |E_0 E_2|, and cube is
+   |E_0|^3. If product and cube are instead the integrals of these numbers over the phase, the result is a bound of the
+   error of the phase. */
 VM_API vm_real vmi_expansion_third_rate(const vmi_ripple *r, vm_real product, vm_real cube)
 {
     const vm_real d = r->pi / (2 * VM_PI), L = r->scale, g = r->gamma;
@@ -189,8 +193,8 @@ typedef struct VM_TAG(vmi_left_out) {
 } vmi_left_out;
 
 /* The sizes of the terms that the law of this order leaves out when it computes the motion at t from the mean motion,
-   where e[k] = |E_k|. The largest of these terms may be 0 at t; therefore the terms that are smaller by a factor
-   epsilon are added. */
+   where e[k] = |E_k|. The largest of these terms may be 0 at t. Therefore the sizes also contain the next terms, which
+   are smaller by a factor epsilon. */
 VM_API vmi_left_out vmi_expansion_left_out_at(const vmi_ripple *r, int order, const vm_real *e)
 {
     vmi_expansion_sizes size;

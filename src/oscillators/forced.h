@@ -1,10 +1,12 @@
 /* oscillators/forced.h - harmonic excitation of a strongly nonlinear oscillator
 
-   Chapter 8 of the dissertation leaves harmonic excitation to future work. Mass m, stiffness k, and the frequency nu
-   and amplitude F of the force may vary slowly; b is the damping, r the share of the reactive force (`reactive`):
+   Chapter 8 of the dissertation leaves harmonic excitation to future work. In the equation of motion b is the damping,
+   and r (`reactive`) the share of the reactive force. The mass m, the stiffness k, and the frequency nu and amplitude F
+   of the force may vary slowly:
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x' + F cos(theta),   theta' = nu
-   This file has the equation of motion, the exact equations of amplitude and phase, and the averaged ones near the
-   main resonance. Steady vibrations, resonance curves and the passage through the resonance are in resonance.h.
+   This file has the equation of motion, the exact equations of amplitude and phase, and averaged equations of amplitude
+   and phase near the main resonance. Steady vibrations, resonance curves and the passage through the resonance are in
+   resonance.h.
 
        vm_forced f;
        memset(&f, 0, sizeof f);
@@ -37,9 +39,9 @@
 /* Number of harmonics of the Ateb functions ca and sa, of the orders 1, 3, 5, 7 and 9 */
 enum { VMI_FORCED_HARMONICS = 5 };
 
-/* An oscillator under harmonic excitation. Fill the fields above pi, then call vm_forced_init; call it again after a
-   change of alpha. The other fields may change without a new call. The constructors of oscillators/laws.h make the
-   laws; vm_law_linear(value, 0) is a constant. */
+/* An oscillator under harmonic excitation. Fill the fields above `pi`, then call vm_forced_init. After a change of
+   alpha call vm_forced_init again; after a change of the other fields no new call is needed. The constructors of
+   oscillators/laws.h make the laws; vm_law_linear(value, 0) is a constant. */
 typedef struct VM_TAG(vm_forced) {
     vm_real alpha;     /* exponent of the spring, >= 0 */
     vm_real damping;   /* damping b, kg/s; a positive b takes energy out */
@@ -49,7 +51,7 @@ typedef struct VM_TAG(vm_forced) {
     vm_law frequency;  /* frequency nu of the force, rad/s, > 0 */
     vm_law force;      /* amplitude F of the force, N, of either sign */
     vm_real pi;        /* Pi_alpha; vm_forced_init writes this field and those below */
-    vm_real Om1;       /* the constant of the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
+    vm_real Om1;       /* the constant in the natural frequency w(A) = Om1 sqrt(k/m) A^((alpha-1)/2) */
     vm_real G;         /* the factor Om1^2 c[0]/2 of F/m in the averaged equations */
     /* Fourier coefficients: ca is the sum of c[j] cos((2j+1) phi), sa the sum of s[j] sin((2j+1) phi). */
     vm_real c[VMI_FORCED_HARMONICS], s[VMI_FORCED_HARMONICS];
@@ -188,8 +190,8 @@ VM_API void vmi_forced_exact(const vm_forced *f, const vmi_forced_parameters *n,
 
 /* Exact equations of amplitude and phase of an excited oscillator, for rk45 or rk87.
    The state is y = (A, psi, theta): the amplitude A and the Ateb phase psi of x = A ca(psi), and the phase theta of the
-   force. The equations neglect nothing, but are singular at A = 0. The argument forced and the statuses are those of
-   vm_forced_rhs. */
+   force. These equations neglect nothing, but they are singular at A = 0. The argument forced and the statuses are
+   those of vm_forced_rhs. */
 VM_API int vm_forced_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -255,9 +257,9 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
 typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                        vm_real theta);
 
-/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A +
-   ripple(A) = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where the amplitude of the
-   motion is smaller than its ripple. */
+/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A)
+   = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where A, the exact amplitude minus its
+   ripple, is not positive. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {
@@ -272,8 +274,8 @@ VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, 
     return VM_OK;
 }
 
-/* Writes the motion (x, x', theta) of the mean amplitude `mean` and the phase phi, rad. Returns VM_DOMAIN where the
-   mean amplitude is not positive or is smaller than its ripple. */
+/* Writes the motion (x, x', theta) of the mean amplitude `mean` and the phase phi, rad. Returns VM_DOMAIN where `mean`
+   is not positive or mean + ripple is negative. */
 VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                            const void *object, vm_real mean, vm_real phi, vm_real theta, vm_real *motion)
 {
@@ -285,10 +287,10 @@ VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, v
     return vmi_copy_if_finite(3, r, motion);
 }
 
-/* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude
-   without its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where
-   alpha is not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the motion is smaller than its
-   ripple. y and motion may be the same array. */
+/* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude minus
+   its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where alpha is
+   not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the amplitude minus its ripple is not
+   positive. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -307,7 +309,7 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
 
 /* Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta). This is the inverse of
    vm_forced_to_averaged: it adds the ripple to the mean amplitude. The statuses are those of vm_forced_rhs; VM_DOMAIN
-   also means that A <= 0 or that A is smaller than its ripple. motion and y may be the same array. */
+   also means that A <= 0 or that A plus its ripple is negative. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;

@@ -1,9 +1,10 @@
 /* oscillators/gauss_rule.h - Gauss' rule of n points on [0, 1], and polynomials through values at these points
 
    The points are called nodes. The rule integrates polynomials of degree 2n - 1 exactly. Two matrices belong to the
-   rule. One turns the values of a polynomial of degree n - 1 at the nodes into its integrals from 0 to each node, the
-   other turns them into its derivatives at the nodes. The method of collocation (oscillators/collocation.h) solves
-   differential equations with these matrices.
+   rule. Both are for polynomials of degree n - 1. The first matrix turns the values of a polynomial at the nodes into
+   the integrals of the polynomial from 0 to each node. The second matrix turns the same values into the derivatives of
+   the polynomial at the nodes. The method of collocation (oscillators/collocation.h) solves differential equations with
+   these matrices.
        vmi_gauss_rule rule;
        vmi_gauss_rule_init(&rule, 8);
    Tests: tests/test_collocation.c. */
@@ -61,9 +62,9 @@ VM_API void vmi_gauss_rule_nodes(vmi_gauss_rule *rule)
     }
 }
 
-/* Adds the part of Legendre's polynomial P_k to both matrices of the rule. `values` is P_k at the nodes, `integrals`
-   are its integrals from 0 to the nodes, and `derivatives` its derivatives at the nodes, all with respect to the
-   variable that goes from 0 to 1. */
+/* Adds the part of Legendre's polynomial P_k to both matrices of the rule. `values` contains P_k at the nodes,
+   `integrals` the integrals of P_k from 0 to the nodes, and `derivatives` the derivatives of P_k at the nodes.
+   Integrals and derivatives are taken with respect to the variable that goes from 0 to 1. */
 VM_API void vmi_gauss_rule_add(vmi_gauss_rule *rule, int k, const vm_real *values, const vm_real *integrals,
                                const vm_real *derivatives)
 {
@@ -119,9 +120,9 @@ VM_API void vmi_gauss_rule_init(vmi_gauss_rule *rule, int n)
 /* The point z = x^2 (3 - 2x) of a graded rule, which replaces the point x of the rule */
 VM_API vm_real vmi_graded(vm_real x) { return x * x * (3 - 2 * x); }
 
-/* Changes the rule for functions of z on [0, 1] that have singularities at the ends, such as fractional powers. The
-   polynomials of the rule become polynomials in x, where z = x^2 (3 - 2x). In x such a power is twice as high, so the
-   error falls faster with n. */
+/* Changes the rule so that it suits functions of z on [0, 1] that have singularities at the ends, such as fractional
+   powers. The polynomials of the rule become polynomials in x, where z = x^2 (3 - 2x). As a function of x such a power
+   is twice as high, so that the error falls faster when n grows. */
 VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
 {
     const int n = rule->n;

@@ -2,8 +2,8 @@
 
    Each of two bodies is on a spring of its own, which is fixed to the ground. A weak spring kappa and a weak damper c
    join the bodies. Averaged equations exist for this system of two degrees of freedom, because without the coupling
-   each body vibrates as an oscillator of one degree of freedom. With i = 0 or 1 for a body, and o for the other one,
-   the equations of motion are
+   each body vibrates as an oscillator of one degree of freedom. The index i is 0 or 1 for one body, and o = 1 - i is
+   the index of the other body. The equations of motion are
        m_i x_i'' + k_i x_i|x_i|^(alpha_i-1) = -(r_i m_i' + b_i) x_i' + kappa (x_o - x_i) + c (x_o' - x_i')
    m_i is the mass of body i, k_i the stiffness of its spring, b_i its damping, and r_i the share of the reactive force.
    m_i and k_i may vary slowly. This file has the equations of motion, the averaged equations for amplitudes and phases,
@@ -20,17 +20,17 @@
        int status = vm_grounded_pair_init(&p);
 
    The state of the averaged equations is (A_0, phi_0, A_1, phi_1): the mean amplitudes and the phases in radians.
-   The averaged equations have the symbols of oscillators/forced.h. V = 2 Om A/(alpha+1) is the largest velocity of a
-   vibration, <ca^2> the mean of ca^2 over a period, and q_i the rate q of vmi_forced_q with the damping b_i + c. The
+   oscillators/forced.h explains the symbols of the averaged equations. V = 2 Om A/(alpha+1) is the largest velocity of
+   a vibration, <ca^2> the mean of ca^2 over a period, and q_i the rate q of vmi_forced_q with the damping b_i + c. The
    equations are
        A_i' = -q_i A_i/(alpha_i+3) - S_i/(m_i Om_i),
        phi_i' = w_i(A_i) + h_i kappa <ca^2> - h_i C_i/A_i,   h_i = (alpha_i+1) pi/(2 Pi_i m_i Om_i),
        S_i = sum of s_j/2 (kappa A_o c_n sin u - c V_o s_n cos u),
        C_i = sum of c_j/2 (kappa A_o c_n cos u + c V_o s_n sin u),   u = j phi_i - n phi_o.
    The sums are over those odd j and n up to 9 for which u varies slowly. These are the j and n with j P_i = n P_o,
-   where the frequencies of the two bodies are as P_0 to P_1. c_j and s_j are the Fourier coefficients of ca and sa of
-   body i, c_n and s_n those of body o. Where the frequencies are in no such ratio, the sums are empty: each body then
-   vibrates on its own. Tests: tests/test_grounded_pair.c. */
+   where the frequencies of the two bodies have the ratio P_0 : P_1. c_j and s_j are the Fourier coefficients of ca and
+   sa of body i, and c_n and s_n those of body o. If the frequencies have no such ratio, the sums contain no terms, and
+   each body vibrates on its own. Tests: tests/test_grounded_pair.c. */
 #ifndef VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 #define VARMASS_OSCILLATORS_GROUNDED_PAIR_H
 
@@ -44,15 +44,15 @@
 #include "forced.h"
 #include "slow.h"
 
-/* Two oscillators and the coupling between them. Set the fields above mean, then call vm_grounded_pair_init; call it
-   again after a change of alpha. */
+/* Two oscillators and the coupling between them. Set the fields above `mean`, then call vm_grounded_pair_init. After a
+   change of alpha call vm_grounded_pair_init again. */
 typedef struct VM_TAG(vm_grounded_pair) {
     vm_forced oscillator[2]; /* the oscillators: set their fields alpha, damping, reactive, mass and stiffness;
                                 vm_grounded_pair_init writes the other fields */
     vm_real spring;          /* stiffness kappa of the coupling, N/m, of either sign; it must be small */
     vm_real damper;          /* damping c of the coupling, kg/s; it must be small */
-    int vibrations[2];       /* P_0 and P_1, from 1 to 9: at the resonance the bodies make P_0 and P_1 vibrations in the
-                                same time. Set both to 0 where the frequencies are in no resonance */
+    int vibrations[2];       /* P_0 and P_1, from 1 to 9: at the resonance body 0 makes P_0 vibrations while body 1
+                                makes P_1 vibrations. Set both to 0 if there is no resonance */
     vm_real mean[2];         /* means of ca^2 over a period; vm_grounded_pair_init writes this field */
 } vm_grounded_pair;
 
@@ -145,6 +145,7 @@ typedef struct VM_TAG(vmi_grounded_body) {
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* turns[k] is e^(i k phi) with the imaginary unit i */
 } vmi_grounded_body;
 
+/* Sets b[0] and b[1] from the amplitudes A (m) and the phases phi of the two bodies at the instant *now */
 VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_now *now, const vm_real *A,
                                 const vm_real *phi, vmi_grounded_body *b)
 {
@@ -178,15 +179,15 @@ VM_API void vmi_grounded_sums(const vm_grounded_pair *p, const vmi_grounded_body
         }
 }
 
-/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. They are written at the top of this file. The
-   state is y = (A_0, phi_0, A_1, phi_1), mean amplitudes (m) and phases (rad). Start with vm_grounded_pair_to_averaged,
-   and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings, dampings and mass rates. Up to
-   times of the order of 1/e the error of the amplitudes is of the order of e. For alpha = 1 the error of the positions
-   is of this order, too. For other alpha the rates of the phases depend on the amplitudes, so that errors of the
-   amplitudes cause larger errors of the positions. In the tests the errors of the positions are at most 0.04 of the
-   amplitude for e = 0.005; with smaller e they are smaller, but not in proportion to e. The equations are singular
-   where an amplitude is 0: in this case integrate vm_grounded_pair_rhs. The argument pair and the statuses are those of
-   vm_grounded_pair_rhs. */
+/* Averaged equations of two weakly coupled oscillators, for rk45 or rk87. The equations are at the top of this file.
+   The state is y = (A_0, phi_0, A_1, phi_1): mean amplitudes (m) and phases (rad). Start with
+   vm_grounded_pair_to_averaged, and end with vm_grounded_pair_from_averaged. Let e be the largest of the couplings,
+   dampings and mass rates. Up to times of the order of 1/e the error of the amplitudes is of the order of e. For alpha
+   = 1 the error of the positions is of this order, too. For other alpha the rates of the phases depend on the
+   amplitudes, so that errors of the amplitudes cause larger errors of the positions. In the tests the errors of the
+   positions are at most 0.04 of the amplitude for e = 0.005. For smaller e these errors are smaller, but not in
+   proportion to e. The equations are singular where an amplitude is 0: in this case integrate vm_grounded_pair_rhs. The
+   argument pair and the statuses are those of vm_grounded_pair_rhs. */
 VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -210,7 +211,8 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
     return VM_OK;
 }
 
-/* The ripple of the amplitude of the body i, which is the exact amplitude minus the mean one. It has the parts
+/* The ripple of the amplitude of body i, which is the exact amplitude minus the mean amplitude. The ripple has three
+   parts:
      q A/((alpha+3) Om) sa ca                               by the slow changes and the dampings,
      -(alpha+1) kappa A/(4 m Om^2) (ca^2 - <ca^2>)          by this body's own motion in the coupling,
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
@@ -242,10 +244,10 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
 }
 
 /* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1,
-   phi_1). The amplitudes are those without their ripple within a period. The statuses are those of
+   phi_1). A_0 and A_1 are the amplitudes minus their ripple within a period. The statuses are those of
    vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN. VM_DOMAIN also means that a body
-   is at rest or its motion is smaller than its ripple, or that the frequencies are in a resonance that the field
-   `vibrations` does not give. y and motion may be the same array. */
+   is at rest, that an amplitude minus its ripple is not positive, or that the frequencies are in a resonance that the
+   field `vibrations` does not give. y and motion may be the same array. */
 VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -277,7 +279,7 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
 /* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
    x_1'). This is the inverse of vm_grounded_pair_to_averaged: it adds the ripples to the mean amplitudes. The statuses
    are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN also means that
-   an amplitude is not positive or is smaller than its ripple. motion and y may be the same array. */
+   an amplitude is not positive or that an amplitude plus its ripple is negative. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;

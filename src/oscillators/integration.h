@@ -1,10 +1,10 @@
 /* oscillators/integration.h - integration of an oscillator to a tolerance, with an estimate of its error
 
    The oscillator is described by either of two systems of two equations: the averaged equations of amplitude and phase,
-   or the equation of motion. A vmi_osc_method is one of these systems with a Runge-Kutta pair (rk45 or rk87) and the
-   numbers that are chosen for this pair; oscillators/routes.h has the methods that are used. vmi_osc_integrate runs a
-   method twice, the second time with a stricter tolerance, and estimates the error from the difference of the two runs.
-   It repeats both runs with stricter tolerances until the estimated error is within the tolerance of the motion.
+   or the equation of motion. A vmi_osc_method contains one of these systems, a Runge-Kutta pair (rk45 or rk87), and
+   numbers that are chosen for this pair. oscillators/routes.h chooses the methods. vmi_osc_integrate makes two runs of
+   a method, a loose run and a strict run with a stricter tolerance, and estimates the error from their difference. It
+   repeats both runs with stricter tolerances until the estimated error is at most the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
@@ -33,7 +33,7 @@
 
 /* Numbers that suit a Runge-Kutta pair */
 typedef struct VM_TAG(vmi_osc_tuning) {
-    vm_real least;     /* smallest useful tolerance of a step; rounding errors within a step may be as large */
+    vm_real least;     /* smallest useful tolerance of a step; rounding errors within a step may be as large as this */
     vm_real ratio;     /* tolerance of the loose run divided by that of the strict run */
     vm_real factor;    /* estimated error of the strict run, divided by the difference of the two runs */
     vm_real by_chance; /* the estimated error is at least this number times the tolerance of the steps */
@@ -55,7 +55,7 @@ typedef struct VM_TAG(vmi_osc_method) {
    error is between 1/4 and 3/4 of the tolerance; these limits differ by a factor of 3. The field `ratio` is larger than
    this factor, so that the steps of the two runs have different lengths. The field `factor` allows for errors that are
    not proportional to the tolerance. Errors are mostly far below the tolerance of the steps, so two runs may agree well
-   by chance; the field by_chance allows for this. */
+   by chance. Because of this the estimated error is at least by_chance times the tolerance of the steps. */
 VM_API vmi_osc_method vmi_osc_method_rk45(ode_rhs rhs)
 {
     vmi_osc_method method;
@@ -101,7 +101,7 @@ typedef struct VM_TAG(vmi_osc_run) {
     int side;         /* 1 forward, -1 backward in time */
     int status;       /* status of a law of mass or stiffness that stopped the run, else VM_OK */
     vm_real longest;  /* longest step, in periods */
-    vm_real share;    /* longest step, divided by the interval up to the next stop */
+    vm_real share;    /* longest step divided by the interval up to the next stop */
     vm_real law_step; /* longest step, s, of the first loose run: so short that no change of a mass or stiffness that a
                          user's function gives is missed */
     long evals;       /* number of evaluations of right-hand sides by all runs so far */
@@ -189,9 +189,9 @@ VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period
 }
 
 /* Sets the longest step and the largest number of steps up to the next stop, on the way to t. No step is longer than a
-   fixed part of the period. For a large Pi_alpha the velocity reverses within 10/Pi_alpha periods. Then no step is
-   longer than a fixed part of this short time, because the Runge-Kutta pair would not notice the error of a step that
-   contains the whole reversal. */
+   fixed part of the period. If Pi_alpha is more than 10, the velocity reverses within the short time of 10/Pi_alpha
+   periods. Then no step is longer than a fixed part of this time, because the Runge-Kutta pair would not notice the
+   error of a step that contains the whole reversal. */
 VM_API void vmi_osc_bound_steps(vmi_osc_run *c, vm_real stop, vm_real t, vm_real period)
 {
     const vm_real most_steps = 8192; /* per period; with it the largest number of steps of a run is computed */
@@ -287,9 +287,9 @@ VM_API int vmi_osc_run_once(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc
 
 /* -- Two runs -- */
 
-/* The largest difference of two runs: of x relative to the amplitude, and of v relative to the largest velocity. It is
-   the largest at all times of vmi_osc_check_time, since at a single time two runs may agree by chance. Returns infinity
-   where the difference is unknown. */
+/* The largest difference of two runs: of x relative to the amplitude, and of v relative to the largest velocity. The
+   function compares the runs at all times of vmi_osc_check_time, since at a single time two runs may agree by chance.
+   Returns infinity where the difference is unknown. */
 VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_motion *a, const vm_osc_motion *b)
 {
     vm_real largest = 0;
@@ -307,9 +307,9 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
-   gives: a quarter of the shortest panel, that is interval of time, that vmi_osc_walk_to needed for this mass and
-   stiffness. If the mass or the stiffness jumped, this step would be 0; therefore it is at least |t|/8192, or the field
-   change_time of the law if that is shorter. */
+   gives. vmi_osc_walk_to divides the time into panels, which are short where mass or stiffness changes fast; the step
+   is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is at
+   least |t|/8192. If the field change_time of a law is set and shorter than this step, the step is change_time. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -374,9 +374,9 @@ VM_API vm_real vmi_osc_next_tolerance(vm_real step_tolerance, vm_real tolerance,
     return step_tolerance * VM_C(2e-5);
 }
 
-/* Makes pairs of runs until the error is within the tolerance. The motions of the last strict run are written to
-   strict[]; the last of them contains the error. The longest step is halved after each pair whose error is more than
-   half of the error of the pair before it, because then the error may come from steps that are too long. It may also
+/* Makes pairs of runs until the error is at most the tolerance. The motions of the last strict run are written to
+   strict[]; the last of these motions contains the error. If the error of a pair is more than half of the error of the
+   pair before it, the error may come from steps that are too long, and the longest step is halved. The error may also
    come from rounding errors or chance; therefore the function ends after three such pairs. */
 VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_motion *strict)
 {
@@ -408,8 +408,8 @@ VM_API int vmi_osc_refine(vmi_osc_run *c, vm_real t, vm_real tolerance, vm_osc_m
 }
 
 /* Computes the motion at t by a method of integration. Returns VM_TOLERANCE_MISSED where the error of the integration
-   is larger than the tolerance. For averaged equations the error of averaging is added to motion->error, but it does
-   not change the status. */
+   is larger than the tolerance. For averaged equations the function also adds the error of averaging to motion->error;
+   this error does not change the status. */
 VM_API int vmi_osc_integrate(const vm_osc_plan *plan, int route, const vmi_osc_method *method, vm_real t,
                              vm_real tolerance, vm_osc_motion *motion)
 {

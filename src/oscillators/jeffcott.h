@@ -1,11 +1,12 @@
 /* oscillators/jeffcott.h - the Jeffcott (Laval) rotor with variable mass
 
-   A disc of mass m(t) turns in the middle of a shaft without mass. z = x + i y is the disc's centre (451), and F_e(rho)
-   the shaft's elastic force at the deflection rho = |z|. A circular motion of the centre is called a whirl; forward
-   whirl has a positive angular velocity, backward whirl a negative one. The stiffness K_e(rho) is the quotient
-   F_e(rho)/rho; the dissertation [1] writes F_e'(rho) for it, although it is no derivative. g is the gyroscopic
-   constant of the remark after (516). Mass joins or leaves with the velocity u; r is the fraction of its full reactive
-   force m' (u - z') that acts on the disc. F_z is an external force. The equation of motion is
+   Numbers such as (451) are equations of the dissertation [1]. A disc of mass m(t) turns in the middle of a shaft
+   without mass. z = x + i y is the position of the disc's centre (451), and F_e(rho) the elastic force of the shaft at
+   the deflection rho = |z|. A circular motion of the centre is called a whirl; forward whirl has a positive angular
+   velocity, backward whirl a negative one. The stiffness K_e(rho) is the quotient F_e(rho)/rho. The dissertation writes
+   F_e'(rho) for this quotient, although it is no derivative. g is the gyroscopic constant of the remark after (516).
+   Mass joins or leaves with the velocity u; r is the fraction of its full reactive force m' (u - z') that acts on the
+   disc. F_z is an external force. The equation of motion is
        m z'' + z K_e(|z|) - 2 i g z' = F_z + r m' (u - z')
    This file has the equation of motion, averaged equations for a weak nonlinearity (460)-(473), averaged equations
    for nearly circular motion with any nonlinearity (491)-(507), and the law of the radius (509).
@@ -94,9 +95,9 @@ VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
     *phi = ateb_phase(z.im, z.re, 1);
 }
 
-/* Angular momentum of a rotor about its axis, with the part of the gyroscopic force, kg m^2/s. It is m Im(conj(z) z') -
-   g |z|^2, where conj(z) = x - i y and -g |z|^2 is the part of the gyroscopic force. It stays constant where r = 1, u =
-   0 and F_z = 0. The argument v is z'. Returns NaN for a null pointer. */
+/* Angular momentum of a rotor about its axis, kg m^2/s: m Im(conj(z) z') - g |z|^2, where conj(z) = x - i y. The term
+   -g |z|^2 is due to the gyroscopic force. The sum stays constant where r = 1, u = 0 and F_z = 0. The argument v is z'.
+   Returns NaN for a null pointer. */
 VM_API vm_real vm_jeffcott_momentum(const vm_jeffcott *r, vm_real mass, vm_complex z, vm_complex v)
 {
     if (!r) return VM_NAN;
@@ -242,10 +243,11 @@ VM_API int vm_jeffcott_from_averaged(const vm_jeffcott *r, vm_real t, const vm_r
 }
 
 /* Writes the exact rates P' and N' (470)-(473) of the whirls to *dP and *dN. At the fast phase phi the disc is at z = P
-   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N in y. With the force per mass f, they are
+   e^(i phi) + N e^(-i phi), with the forward whirl P and the backward whirl N in y. With the force f per unit mass, the
+   rates are
      P' = -i e^(-i phi) f/(2 omega),  N' = i e^(i phi) f/(2 omega),
      m f = F_z + r m' u + 2 i g z' - (K_e(|z|) - K_e(0)) z - (r - 1/2) m' z'
-   The last term has r - 1/2 in place of r, because the change of omega contributes m' z'/2. */
+   The last term has r - 1/2 in place of r, because the change of omega adds the term m' z'/2. */
 VM_API void vmi_jeffcott_rates(const vm_jeffcott *r, vm_real t, const vmi_jeffcott_state *now, const vm_real *y,
                                vm_real phi, vm_complex *dP, vm_complex *dN)
 {
@@ -292,7 +294,7 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
 }
 
 /* Exact equations (470)-(473) of forward and backward whirl, for rk45 or rk87. y = (Re P, Im P, Re N, Im N, phi), see
-   vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force, but are of use only where
+   vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force. They are useful only where
    the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
    the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
    VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
@@ -305,9 +307,9 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
 
 /* Averaged equations of forward and backward whirl, for rk45 or rk87. They are the equations of vm_jeffcott_exact_rhs,
    averaged over the fast phase phi while P and N stay constant. The dissertation [1] averages over the angles psi1 and
-   psi2 of the two whirls separately, (474)-(477). Such separate averages are wrong unless the force turns with z, since
-   both whirls have the same frequency. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho) -
-   K_e(0) or m'), up to times of the order of the inverse of this perturbation. State and statuses are those of
+   psi2 of the two whirls separately, (474)-(477). Because both whirls have the same frequency, such separate averages
+   are right only if the force turns with z. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho)
+   - K_e(0) or m'), up to times of the order of the inverse of this perturbation. State and statuses are those of
    vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
@@ -319,8 +321,9 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* The frequency of circular whirl W = (g +- S)/m, where S = sqrt(g^2 + m K_e) and + is for forward whirl (sense >= 0).
-   The arguments are g (gyro), m (mass) and K_e (stiffness). The code subtracts no nearly equal numbers. */
+/* The frequency W = (g +- S)/m of circular whirl, where S = sqrt(g^2 + m K_e), and + is for forward whirl (sense >= 0).
+   The arguments are g (gyro), m (mass) and K_e (stiffness). No digits cancel, because nearly equal numbers are never
+   subtracted. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
@@ -346,9 +349,8 @@ VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real ma
 }
 
 /* The mean load, N, on a disc that moves on a circle of radius A at the frequency W. The load D = F_z + r m' u is
-   multiplied by e^(-i angle), where `angle` is the disc's place on the circle, and averaged over one turn that begins
-   at the angle psi. The real part of the mean is the radial load, the imaginary part the tangential load. `rate` is
-   m'. */
+   multiplied by e^(-i angle), where `angle` is the angle of z, and averaged over one turn that begins at the angle psi.
+   The real part of the mean is the radial load, the imaginary part the tangential load. `rate` is m'. */
 VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_real rate, vm_real A, vm_real psi,
                                          vm_real W)
 {
@@ -395,9 +397,9 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    rad; rotor points to a vm_jeffcott. The error of A is of the order of the largest load (by the force F_z, the
    velocity u or the mass rate m'), up to times of the order of the inverse of this load. Where K_e is not constant, the
    error of A causes an error of the phase psi that grows with time. For loads that turn with z, that is loads at a
-   fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads it is of order
-   1. The equations are not valid for a linear F_e with loads that do not turn with z, since with these loads the disc
-   does not stay on a circle. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
+   fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads the error of psi
+   is of order 1. If F_e is linear and the loads do not turn with z, the disc does not stay on a circle, and the
+   equations are not valid. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
    VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if
    g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes`
    phases. */
@@ -436,15 +438,16 @@ VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
     return 4 * x + vmi_log(ratio).hi;
 }
 
-/* An interval [a, b] of x = ln(A/first_A), with the values of vmi_jeffcott_invariant at its ends, which have opposite
+/* An interval [a, b] of x = ln(A/first_A). The values at_a and at_b of vmi_jeffcott_invariant at its ends have opposite
    signs */
 typedef struct VM_TAG(vmi_jeffcott_bracket) {
     vm_real a, b, at_a, at_b;
 } vmi_jeffcott_bracket;
 
-/* Searches from x = 0, where vmi_jeffcott_invariant is b->at_a, until the sign of this function changes, with steps
-   that double. A step to an x where the function is NaN is halved, and from then on steps no longer double. Returns 1
-   where a change of sign is found, and 0 where halved steps still lead to NaN. */
+/* Searches for a change of sign of vmi_jeffcott_invariant. The search starts at x = 0, where the value of this function
+   is b->at_a, and each step is twice as long as the step before it. A step to an x where the function is NaN is halved,
+   and from then on the steps do not grow. Returns 1 where a change of sign is found, and 0 where halved steps still
+   lead to NaN. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
     vm_real step = VM_C(0.0625); /* changes the radius by 6 % */
@@ -473,9 +476,10 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
-   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then
-   vm_jeffcott_whirl_amplitude finds the radius by integration); where no radius is found on the way from first_A; for
-   null pointers; for a rotor without stiffness; and for a radius or masses that are not positive and finite. */
+   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then use
+   vm_jeffcott_whirl_amplitude, which finds the radius by integration); where no radius is found on the way from
+   first_A; for a null pointer; for a rotor without stiffness; and for a radius or masses that are not positive and
+   finite. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;

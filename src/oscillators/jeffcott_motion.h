@@ -1,12 +1,13 @@
 /* oscillators/jeffcott_motion.h - the motion z(t) of the Jeffcott (Laval) rotor from its amplitude law and its phase
 
-   In a circular whirl the centre of the disc moves on a circle: z = A e^(i psi) (497), with the velocity z' = i W z
-   (498). Its phase psi is the integral of its frequency W over time (499). Without an external force, and without a
-   velocity u of the mass that joins or leaves, the radius A depends on the mass alone. Then W is a known function of
-   time. The integral has a closed form if the shaft has a power law and there are no gyroscopic moments. On a linear
-   shaft every motion is the sum of a forward and a backward whirl. The functions of this file generalize (481), (482)
-   to any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the struct
-   vm_jeffcott; g and r are its fields gyro and reactive. The shortest useful call:
+   Numbers in brackets are equations of the dissertation. In a circular whirl the centre of the disc moves on a circle:
+   z = A e^(i psi) (497), with the velocity z' = i W z (498). The phase psi is the integral of the frequency W over time
+   (499). Without an external force, and without a velocity u of the mass that joins or leaves, the radius A depends on
+   the mass alone. Then W is a known function of time. The integral has a closed form if the force of the shaft is a
+   power law, the law of the mass has an exponential form (oscillators/laws.h), and there are no gyroscopic moments. On
+   a linear shaft every motion is the sum of a forward and a backward whirl. The functions of this file generalize
+   (481), (482) to any start, reactive force and gyroscopic moment. oscillators/jeffcott.h explains the letters and the
+   struct vm_jeffcott; g and r are its fields gyro and reactive. The shortest useful call:
        vm_power_force shaft = {4, 1}; // F_e = 4 N/m rho
        vm_jeffcott_whirl whirl;
        vm_jeffcott rotor;
@@ -77,9 +78,9 @@ VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, v
    For g = 0 or r = 1 the result is that of vm_jeffcott_amplitude. For other rotors the relative growth of A^2 S,
    where S = m W - g, is (1 - r) (1 + g/S) times the relative change of the mass. The function integrates this relation
    over the mass by rk87; the relative error is at most 1e-13 (float 3e-6). The radius was first_A when the mass was
-   mass0; `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN where
-   vm_jeffcott_amplitude returns NaN, but not because of g != 0 with r != 1. Also returns NaN where g^2 + m K_e(A) is
-   not positive for a mass between mass0 and `mass`. */
+   mass0; `mass` is the mass after the change. sense >= 0 means forward, sense < 0 backward whirl. Returns NaN in the
+   cases of vm_jeffcott_amplitude, except for g != 0 with r != 1, which is allowed here. Also returns NaN where g^2 + m
+   K_e(A) is not positive for a mass m between mass0 and `mass`. */
 VM_API vm_real vm_jeffcott_whirl_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass,
                                            int sense)
 {
@@ -112,8 +113,8 @@ typedef struct VM_TAG(vmi_jeffcott_phase) {
     int sense;
 } vmi_jeffcott_phase;
 
-/* Writes the radius and the frequency of the whirl when the disc has the given mass. Returns VM_BAD_STIFFNESS where no
-   circular whirl exists for this mass. */
+/* Writes the radius A and the frequency W of the whirl at the time when the disc has the given mass. Returns
+   VM_BAD_STIFFNESS where no circular whirl exists for this mass. */
 VM_API int vmi_jeffcott_whirl_of_mass(const vmi_jeffcott_phase *p, vm_real mass, vm_real *A, vm_real *W)
 {
     *A = vm_jeffcott_whirl_amplitude(p->r, p->first_A, p->mass0, mass, p->sense);
@@ -188,11 +189,11 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
    exponential or a power; its relative error is then at most 8 eps. Otherwise the time is divided into parts, and
    Gauss' rule integrates the frequency over each part from 20 points; the radius is computed at each point. For a
-   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The velocity is computed as
-   i W z, where W is the frequency of the whirl; the small radial velocity is neglected. Returns VM_BAD_ARGUMENT for
-   null pointers and a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN;
-   VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a
-   radius that is not positive or t outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
+   smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The small radial velocity is
+   neglected: the velocity is i W z, where W is the frequency of the whirl. Returns VM_BAD_ARGUMENT for null pointers
+   and a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass
+   that is not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a radius that is not positive
+   or t outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {

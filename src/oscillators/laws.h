@@ -1,15 +1,15 @@
 /* oscillators/laws.h - laws of time for mass, stiffness and other numbers
 
    A vm_law describes a number f(t) that depends on time: the mass of a body (kg), the stiffness of its spring
-   (N/m^alpha), or the frequency (1/s) and the size (N) of a force on it (oscillators/forced.h). A constructor makes it:
-   linear f0 + f1 t (346), quadratic, exponential, power, the points of a table, or a function of the user. The shortest
-   useful call:
+   (N/m^alpha), or the frequency (1/s) and the size (N) of a force on it (oscillators/forced.h). There is a constructor
+   for each kind of law: linear f0 + f1 t (equation (346) of the dissertation), quadratic, exponential, power, the
+   points of a table, or a function of the user. The shortest useful call:
        vm_law mass = vm_law_linear(10, VM_C(-0.1)); // 10 kg, of which 0.1 kg leaks out per second
        vm_real m, rate;
        int status = vm_law_at(&mass, 20, &m, &rate); // 8 kg, -0.1 kg/s
-   Each kind of law has a section below, with its own functions and the constructor that makes a vm_law point to them.
-   No code outside this section depends on the kind of the law. vm_law_inverse_integral (oscillators/panels.h)
-   integrates 1/f from 0 to t.
+   Each kind of law has a section below, with its own functions and with the constructor that makes a vm_law point to
+   these functions. Nearly all other code is the same for all kinds of laws. vm_law_inverse_integral
+   (oscillators/panels.h) integrates 1/f from 0 to t.
    Tests: tests/test_laws.c. */
 #ifndef VARMASS_OSCILLATORS_LAWS_H
 #define VARMASS_OSCILLATORS_LAWS_H
@@ -27,9 +27,9 @@
 typedef int (*vm_law_function)(vm_real t, vm_real *f, vm_real *rate, void *ctx);
 
 /* The law of a mass, a stiffness or another number f(t). The constructors vm_law_linear, vm_law_table ... fill it;
-   only change_time may be set by hand. The law points to the arrays of its table, to the user's function and to ctx;
-   they must exist as long as the law is used. The law also points to functions of this header, so on a GPU the
-   constructor must be called on the GPU. */
+   only change_time may be set by hand. The law points to the arrays of its table, to the user's function and to the
+   data at ctx; these must exist as long as the law is used. The law also points to functions of this header, so on a
+   GPU the constructor must be called on the GPU. */
 typedef struct VM_TAG(vm_law) vm_law;
 struct VM_TAG(vm_law) {
     vm_real f0, f1, f2;       /* arguments of the constructor, in their order; 0 for tables and functions */
@@ -84,8 +84,8 @@ VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t
     return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
 }
 
-/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. The law must not be made by
-   vm_law_user. */
+/* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. This function must not be called
+   for a law made by vm_law_user. */
 VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real *f)
 {
     const vm_real length = 1; /* 1 s; with any positive length f'' is written */
@@ -236,8 +236,8 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
-/* The exponential form of a quadratic law. It exists only if the law is a square within rounding errors: f0 (1 + base
-   t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if it exists, else 0. */
+/* The exponential form of a quadratic law. This form exists only if the law is a square within rounding errors: f0 (1 +
+   base t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if the form exists, else 0. */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
     const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
@@ -338,9 +338,9 @@ VM_API vm_law vm_law_power(vm_real f0, vm_real f1, vm_real f2)
 /* -- Tables -- */
 
 /* Slope of the law at the first or last point of a table. It is the slope of the parabola through the three points at
-   this end, limited so that the cubic stays monotone. A chord joins two neighbouring points of the table. h_end and
-   d_end are the length in time and the slope of the chord at the end, h_next and d_next those of the chord next to
-   it. */
+   this end of the table. The slope is limited so that the cubic between the end and its neighbouring point stays
+   monotone. A chord joins two neighbouring points of the table. h_end and d_end are the length in time and the slope of
+   the chord at the end, h_next and d_next those of the chord next to it. */
 VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, vm_real d_next)
 {
     const vm_real slope = ((2 * h_end + h_next) * d_end - h_end * d_next) / (h_end + h_next);
@@ -349,9 +349,9 @@ VM_API vm_real vmi_law_end_slope(vm_real h_end, vm_real h_next, vm_real d_end, v
     return slope;
 }
 
-/* Slope of the law at point i of a table. At an inner point it is the weighted harmonic mean of the slopes of the two
-   chords that meet there, and 0 at an extremum (Fritsch and Butland). A chord joins two neighbouring points of the
-   table. */
+/* Slope of the law at point i of a table. A chord joins two neighbouring points of the table. At an inner point the
+   slope is the weighted harmonic mean of the slopes of the two chords that meet there; at an extremum the slope is 0
+   (Fritsch and Butland). */
 VM_API vm_real vmi_law_slope(const vm_law *law, int i)
 {
     const vm_real *t = law->time, *f = law->value;
@@ -409,8 +409,8 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     return VM_OK;
 }
 
-/* Checks the whole table, whatever t is: its values must be finite, and positive unless if_not_positive is VM_OK; its
-   times must be finite and must rise. */
+/* Checks the whole table, for any t. Its times must be finite and must rise, and its values must be finite. If
+   if_not_positive is not VM_OK, the values must also be positive. */
 VM_API int vmi_law_table_validate(const vm_law *law, int if_not_positive, vm_real t)
 {
     int i;
@@ -473,9 +473,9 @@ VM_API int vmi_law_user_fit(const vm_law *law, vm_real t, vm_real length, vm_rea
 }
 
 /* Writes the Legendre series of the rate f' between t and t + *length. The length is halved until the last terms of the
-   series are only rounding errors. They count as rounding errors when a further halving hardly makes them smaller. All
-   terms that are not larger than these rounding errors are set to 0. The length is also halved where the user's
-   function fails, because the function may be defined only close to t. */
+   series are only rounding errors. These terms count as rounding errors when they hardly become smaller if the length
+   is halved again. All terms that are not larger than these rounding errors are set to 0. The length is also halved
+   where the user's function fails, because the function may be defined only close to t. */
 VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm_real *series)
 {
     const int most_halvings = 24;
@@ -548,9 +548,9 @@ VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
     return law;
 }
 
-/* The longest panel of time, s, for integrals along the law from 0 to t: short enough to notice the changes that
-   vm_law_user promises to find. `whole` is |t|. The result is not 0, even if `whole` is so small that whole/32
-   underflows. */
+/* The longest panel, s, for integrals of the law over the time from 0 to t. A panel is an interval of time; it is so
+   short that the integration finds all changes that the comment at vm_law_user promises to find. `whole` is |t|. The
+   result is not 0, even if `whole` is so small that whole/32 underflows. */
 VM_API vm_real vmi_law_longest_panel(const vm_law *law, vm_real whole)
 {
     const vm_real longest = vmi_larger(whole / 32, VM_MIN);

@@ -1,10 +1,10 @@
 /* oscillators/legendre.h - Gauss' rule of 20 points and series of Legendre polynomials on [-1, 1]
 
-   A smooth function on [-1, 1] is represented by the series sum coefficient[k] P_k(x), k = 0 ... 19, with Legendre's
-   polynomials P_k. Its integral over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds the coefficients from the
-   values at the points of Gauss' rule. The other functions evaluate, integrate and differentiate the series, and
-   measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use these functions. Tests:
-   tests/test_laws.c, tests/test_routes.c. */
+   A smooth function on [-1, 1] is represented by a series, the sum of coefficient[k] P_k(x) over k = 0 ... 19, where
+   P_k are Legendre's polynomials. The integral of the function over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds
+   the coefficients from the values at the points of Gauss' rule. The other functions evaluate, integrate and
+   differentiate the series, and measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use
+   these functions. Tests: tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 
@@ -41,8 +41,9 @@ VM_API vm_real vmi_legendre_next(int k, vm_real x, vm_real now, vm_real before)
     return ((vm_real)(2 * k + 1) * x * now - (vm_real)k * before) / (vm_real)(k + 1);
 }
 
-/* Writes the coefficients a and b of the series of two functions, from their values at the points of Gauss' rule. It
-   treats two functions in one call, since most of the computing time is spent on the polynomials. */
+/* Writes the coefficients a and b of the series of two functions, from their values at the points of Gauss' rule. One
+   call treats two functions, since most of the computing time is spent on the polynomials, which both functions
+   share. */
 VM_API void vmi_legendre_fit(const vm_real *values_a, const vm_real *values_b, vm_real *a, vm_real *b)
 {
     int i, k;

@@ -1,12 +1,14 @@
 /* oscillators/mean_motion.h - the motion by first-order averaging and by the laws of order 2 to 5, with error estimates
 
-   The mean motion is the amplitude A and the phase without their small changes within a period. If no force F acts and
-   mass m and stiffness k change slowly, integrals give it: A is proportional to (k m^(2r-1))^(-1/(alpha+3))
-   exp(-2 d/(alpha+3)), where r is the field `reactive` and d the integral of damping/mass (the adiabatic law (325),
-   (344), (367), (389)); the phase is the integral of its rate (310), (329), (370). vmi_osc_first_order puts this A and
-   this phase into x = A cos, A cn or A ca. vmi_osc_order_n first adds the changes within a period, by the series of
-   oscillators/expansion.h, which is cut off after an order N from 2 to 5. Its error is of the order epsilon^N, where
-   epsilon is the relative change of mass and stiffness while the phase grows by 1.
+   The mean motion is the amplitude A and the phase without their small changes within a period. Numbers in brackets are
+   equations of the dissertation. If no force F acts, and mass m and stiffness k change slowly, integrals give the mean
+   motion. By the adiabatic law (325), (344), (367), (389) the amplitude is
+     A = constant (k m^(2r-1))^(-1/(alpha+3)) exp(-2 d/(alpha+3)),
+   where r is the field `reactive` and d the integral of damping/mass over time. The phase is the integral of its rate
+   over time (310), (329), (370). vmi_osc_first_order puts this A and this phase into x = A cos, A cn or A ca.
+   vmi_osc_order_n first adds the changes within a period, by the series of oscillators/expansion.h, which is cut off
+   after an order N from 2 to 5. The error of vmi_osc_order_n is of the order epsilon^N, where epsilon is the relative
+   change of mass and stiffness while the phase grows by 1.
        vmi_osc_mean mean;
        vm_osc_motion motion;
        vmi_osc_wave w = vmi_osc_wave_of(&plan, VM_ROUTE_ORDER5);
@@ -76,8 +78,8 @@ VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *me
    laws of mass and stiffness (oscillators/walk.h). */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less, the laws change only by rounding
-                                                   errors */
+    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, the laws change only by
+                                                   rounding errors */
     int status = VM_OK;
     if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
@@ -98,10 +100,11 @@ VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 
 /* Fast changes of mass and stiffness change the action J. This function returns a bound of the change of ln J. E_0
    measures how strongly these changes disturb the motion (oscillators/expansion.h). The exact change of ln J is the
-   integral over the phase of E_0 times a periodic function whose mean is 0. i integrations by parts turn this integral
-   into the integral of the ith derivative of E_0 times the ith integral of the periodic function, and into terms at
-   both ends, which the solutions already contain. Each i gives a bound, and the function returns the smallest bound. It
-   belongs to a large i where the laws change slowly, and to i = 0 where they change within less than a period. */
+   integral over the phase of E_0 times a periodic function whose mean is 0. This integral is integrated by parts i
+   times. The result has terms at both ends, which the solutions already contain, and the integral of the ith derivative
+   of E_0 times the ith integral of the periodic function. This last integral has a bound for each i, and the function
+   returns the smallest of these bounds. A large i gives the smallest bound where the laws change slowly, and i = 0
+   gives it where the laws change within less than a period. */
 VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -119,7 +122,7 @@ VM_API vm_real vmi_osc_fast(const vm_osc_plan *p, const vmi_osc_mean *mean)
 }
 
 /* The error that fast changes of mass and stiffness between 0 and t cause in every averaged solution. An error of ln J,
-   where J is the action, makes an error of the phase that is larger by the factor gamma Om t. gamma is a field of
+   where J is the action, causes an error of the phase that is larger by the factor gamma Om t. gamma is a field of
    vmi_ripple, and Om is the rate of the phase. */
 VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
@@ -129,10 +132,11 @@ VM_API vm_real vmi_osc_way_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 /* Estimates the error of vmi_osc_first_order, except for the error of cos or cn in place of ca. vmi_osc_first_order
    uses the amplitude and the phase at t = 0 as if they were the mean amplitude and the mean phase. It leaves out the
    ripple within a period, and the part of the mean phase that is proportional to the number E_0
-   (oscillators/expansion.h). An error of ln J, where J is the action, makes an error of the phase that is larger by the
-   factor gamma Om t, with the field gamma of vmi_ripple. The phase that follows from x and x' is larger by (alpha+1)/2
-   p/Om ca^2 than the phase that follows from x and V = x' + p x, where p is the rate of oscillators/reduction.h and Om
-   the rate of the phase. The mean of this difference over a period is the same at t = 0 and at t. */
+   (oscillators/expansion.h). An error of ln J, where J is the action, causes an error of the phase that is larger by
+   the factor gamma Om t, where gamma is a field of vmi_ripple. The phase that follows from x and x' is larger by
+   (alpha+1)/2 p/Om ca^2 than the phase that follows from x and V = x' + p x, where p is the rate of
+   oscillators/reduction.h and Om the rate of the phase. The mean of this difference over a period is the same at t = 0
+   and at t. */
 VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;
@@ -148,9 +152,9 @@ VM_API vm_real vmi_osc_first_error(const vm_osc_plan *p, const vmi_osc_mean *mea
 }
 
 /* Estimates the error of vmi_osc_order_n for the order 2, 3, 4 or 5. The estimate is the sum of the sizes of the first
-   terms that two computations leave out. One is the transformation at t, whose order is `order`. The other is the mean
-   motion, whose order is p->start_order; it leaves out terms at t = 0, at points of tables, and in the mean rate of the
-   phase. */
+   terms that two computations leave out. The first computation is the transformation from the mean motion to the motion
+   at t, of the order `order`. The second computation is the mean motion, of the order p->start_order: it leaves out
+   terms at t = 0, at points of tables, and in the mean rate of the phase. */
 VM_API vm_real vmi_osc_order_error(const vm_osc_plan *p, int order, const vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;

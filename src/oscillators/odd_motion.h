@@ -3,8 +3,8 @@
    The equation of motion, with the laws of time m(t) (kg), k(t) (a pure number) and b(t) (kg/s), is
        m x'' + k F(x) + (reactive m' + b) x' = 0,   x(0) and x'(0) given
    F is odd, that is F(-x) = -F(x). It is Duffing's force k1 x + k3 x^3 (oscillators/duffing.h) or a function of the
-   user (oscillators/odd_force.h). `reactive` is 1 where mass that joins or leaves is at rest, 0 where it has the body's
-   velocity. k1 and k3 may depend on time, too (vm_duffing_force_of_laws). The shortest useful call:
+   user (oscillators/odd_force.h). `reactive` is 1 where mass that joins or leaves is at rest, 0 where this mass has the
+   body's velocity. k1 and k3 may depend on time, too (vm_duffing_force_of_laws). The shortest useful call:
        vm_odd_problem problem;
        vm_odd_motion motion;
        problem.force = vm_duffing_force(100, 2000);           // 100 N/m x + 2000 N/m^3 x^3
@@ -556,7 +556,7 @@ VM_API int vmi_odd_mean_at(const vm_odd_plan *p, vm_real t, vmi_odd_mean *mean)
     return mean->orbit.force->complete(&mean->orbit);
 }
 
-/* Adds the ripple to the mean motion: phase and orbit become those of x and v. */
+/* Adds the ripple to the mean motion: after that, phase and orbit are those of the actual motion x and v. */
 VM_API int vmi_odd_add_ripple(vmi_odd_mean *mean)
 {
     vmi_orbit *orbit = &mean->orbit;

@@ -124,7 +124,8 @@ VM_API void vmi_odd_units(vmi_odd_run *c, vm_real whole)
         if (laws[i]->function) c->longest = vmi_smaller(vmi_law_longest_panel(laws[i], whole) / 4, c->longest);
 }
 
-/* Integrates from the present time to t. It stops and restarts at every point of a table between these times. */
+/* Integrates from the present time to t. The function restarts the integrator at every point of a table between these
+   times. */
 VM_API int vmi_odd_solve(vmi_odd_run *c, vm_real t)
 {
     const vm_odd_problem *o = &c->plan->problem;
@@ -269,7 +270,8 @@ VM_API int vmi_odd_integrate(const vm_odd_plan *p, vm_real t, vm_real tolerance,
 
 /* -- Routes -- */
 
-/* Checks the arguments that all functions with a plan have in common, and replaces a tolerance of 0 by the default. */
+/* Checks the arguments that all functions with a plan have in common. A tolerance of 0 becomes the default, 1e-6 (float
+   1e-3). */
 VM_API int vmi_odd_check_call(const vm_odd_plan *p, int route, vm_real t, vm_real *tolerance,
                               const vm_odd_motion *motion)
 {

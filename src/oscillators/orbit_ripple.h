@@ -4,9 +4,9 @@
    factor of the force, b the damping and r the share of the reactive force. If ds = sqrt(k/m) dt defines a new time s,
    then all slow changes together act as one damping h:
        x'' + F(x) = -2 h x',   2 h = d ln(mu sqrt(k/m))/ds,   mu' = (r m' + b) mu/m
-   so that J = j mu sqrt(k/m) stays constant on average, where j is the action of the orbit. J and the phase phi are
-   canonical variables, that is they obey Hamilton's equations. Their Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H
-   is the Hamiltonian for constant mass, and a is the function
+   The last equation defines the function mu(t). Then J = j mu sqrt(k/m) stays constant on average, where j is the
+   action of the orbit. J and the phase phi are canonical variables, that is they obey Hamilton's equations. The
+   Hamiltonian is (H + 2 h a) mu sqrt(k/m), where H is the Hamiltonian for constant mass, and a is the function
        a(phi) = (integral of v dx from phase 0) - j phi
    of period pi (2 pi in a well, which is a place of rest beside x = 0) and mean 0. Let B be the integral of a over the
    phase, with mean 0. To second order in h the mean action and the mean phase are
@@ -31,10 +31,10 @@
 /* The largest number of terms of a Fourier series in vmi_orbit_ripple */
 enum { VMI_RIPPLE_HARMONICS = 96 };
 
-/* The functions a and B of the top of this file on one orbit. They give the ripple, the swing of action and phase
-   within a period. A name with _size is the derivative with respect to the field `size` of the orbit, at fixed phase.
-   The function a is a Fourier series in sin(n zeta) where its coefficients have closed forms, with zeta = 2 phi for an
-   orbit around 0 and zeta = phi in a well; otherwise it is an integral over theta. */
+/* The functions a and B of the top of this file on one orbit. These functions give the ripple, the swing of action and
+   phase within a period. A name with _size is the derivative with respect to the field `size` of the orbit, at fixed
+   phase. If the Fourier coefficients of the function a have closed forms, a is a sum of terms in sin(n zeta), with zeta
+   = 2 phi for an orbit around 0 and zeta = phi in a well. Otherwise a is an integral over theta. */
 struct VM_TAG(vmi_orbit_ripple) {
     vm_real M, M_size;     /* mean of a^2, and the derivative of this mean with respect to size */
     vm_real X, X_size;     /* mean of x^2, and the derivative of this mean with respect to size; for Duffing's force
@@ -42,8 +42,8 @@ struct VM_TAG(vmi_orbit_ripple) {
     vm_real w_size, j_size; /* derivatives of the phase rate w and of the action j with respect to size */
     vm_real largest_a;     /* largest |a|/j, or for a Fourier series a bound of it */
     vm_real largest_B;     /* largest w |(B/w)_j|, or for a Fourier series a bound of it */
-    int harmonics;         /* number of terms of the Fourier series; 0 where there is none, and the fields from `time`
-                              on are used */
+    int harmonics;         /* number of terms of the Fourier series; 0 where there is no such series: then the fields
+                              from `time` on are used */
     vm_real a[VMI_RIPPLE_HARMONICS + 1], a_size[VMI_RIPPLE_HARMONICS + 1]; /* n >= 1: factor of sin(n zeta) in a, and
                                                                               its derivative with respect to size */
     vm_real b[VMI_RIPPLE_HARMONICS + 1];                                   /* factor of cos(n zeta) in (B/w)_j */
@@ -234,8 +234,8 @@ VM_API vm_real vmi_orbit_gamma(const vmi_orbit_ripple *r, const vmi_orbit *orbit
     return orbit->j * r->w_size / (r->j_size * orbit->w);
 }
 
-/* (M/w)_j, the derivative of M/w with respect to the action, on which the mean rate of the phase depends. M is the mean
-   of a^2, w the rate of the phase. */
+/* (M/w)_j, the derivative of M/w with respect to the action. M is the mean of a^2, w the rate of the phase. The mean
+   rate of the phase depends on this derivative. */
 VM_API vm_real vmi_orbit_M_j(const vmi_orbit_ripple *r, const vmi_orbit *orbit)
 {
     return (r->M_size - r->M * (r->w_size / orbit->w)) / (orbit->w * r->j_size);

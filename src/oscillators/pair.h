@@ -36,7 +36,7 @@
 typedef struct VM_TAG(vm_pair) {
     vm_real alpha;    /* exponent of the spring, >= 0 */
     vm_real k;        /* stiffness, N/m^alpha, > 0 */
-    vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_real reactive; /* r: 1 where mass that joins or leaves is at rest, 0 where this mass has the body's velocity */
     vm_law mass;      /* mass m(t) of each body, kg, > 0; it must vary slowly */
 } vm_pair;
 

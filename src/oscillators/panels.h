@@ -2,7 +2,7 @@
 
    An integral along a law f(t) from 0 to t is a sum over intervals of time, called panels. Each panel is so short that
    a series of 20 Legendre polynomials represents the law on it. A panel that is too long for such a series is halved.
-   After each panel, the next one is first tried with twice its length. Panels end at the points of a table.
+   After each panel, the code first tries a next panel of twice the length. Panels end at the points of a table.
        vm_law mass = vm_law_linear(10, VM_C(-0.1));
        vm_real integral;
        int status = vm_law_inverse_integral(&mass, 20, &integral); // 10 ln(10/8) s/kg
@@ -34,7 +34,7 @@ typedef struct VM_TAG(vmi_panels) {
 } vmi_panels;
 
 /* Returns the panels from start to end, each at most `longest` long. `whole` is the length of the whole interval of
-   integration, s, of which start ... end may be a part. */
+   integration, s; the interval from start to end may be a part of it. */
 VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, vm_real whole)
 {
     vmi_panels p;
@@ -51,7 +51,8 @@ VM_API vmi_panels vmi_panels_from(vm_real start, vm_real end, vm_real longest, v
 }
 
 /* Returns 0 if the end is reached. Otherwise it returns 1 and sets p->step, the length of the panel that starts at
-   p->t. If the time that is left is hardly longer than a panel, all of this time becomes one panel. */
+   p->t. If the time that is left is at most 1.0001 times the intended length of a panel, all of this time becomes one
+   panel. */
 VM_API int vmi_panels_next(vmi_panels *p)
 {
     if (p->t == p->end) return 0;
@@ -72,7 +73,8 @@ VM_API int vmi_panels_halve(vmi_panels *p)
     return 1;
 }
 
-/* Goes on to the next panel. Its intended length becomes twice that of the present panel. */
+/* Goes on to the next panel. Its intended length becomes twice the length of the present panel, but at most
+   p->longest. */
 VM_API void vmi_panels_advance(vmi_panels *p)
 {
     if (p->step == p->left) p->t = p->end;
@@ -83,9 +85,9 @@ VM_API void vmi_panels_advance(vmi_panels *p)
 /* -- Whether a series is good enough -- */
 
 /* Returns the limit below which the last terms of a Legendre series, divided by the mean of the function, do not
-   matter. Gauss' rule integrates twice as many terms as the series has exactly, so that the error of the integral is
-   about the square of the last terms. The limit is larger for a panel that is only a small part of the whole
-   integral. */
+   matter. Gauss' rule is exact for polynomials with twice as many terms as the series, so that the error of the
+   integral is about the square of the last terms. The limit is larger for a panel that is only a small part of the
+   whole integral. */
 VM_API vm_real vmi_panel_limit(vm_real length, vm_real whole)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(1e-5);
@@ -99,11 +101,11 @@ VM_API int vmi_panel_is_resolved(const vm_real *series, vm_real limit)
     return vmi_legendre_tail(series) <= limit * series[0];
 }
 
-/* Returns the size of those terms of the number E_0 = G_0/W^2 that do not matter on a panel over which the phase grows
-   by `phase`, of either sign. E_0 measures how strongly slow changes disturb the motion; W is the rate of the phase
-   (oscillators/expansion.h). The result has two parts. Terms as large as the first part change the phase by 16 eps. The
-   second part is the size of the rounding errors of E_0, which contains the derivative p', found from differences of
-   the rate p on the panel. */
+/* Returns a limit for terms of the number E_0 = G_0/W^2 on a panel over which the phase grows by `phase`, of either
+   sign: terms below this limit do not matter. E_0 measures how strongly slow changes disturb the motion; W is the rate
+   of the phase (oscillators/expansion.h). The limit has two parts. Terms as large as the first part change the phase by
+   16 eps. The second part is the size of the rounding errors of E_0. These errors come from the derivative p' in E_0,
+   which the code finds from differences of the rate p on the panel. */
 VM_API vm_real vmi_panel_E_noise(vm_real phase)
 {
     const vm_real advance = VM_FABS(phase);
@@ -125,7 +127,7 @@ VM_API void vmi_panel_raise_edge(int reciprocal, vm_real f, vm_real by_series, v
 
 /* Raises *edge to the relative difference between a law f and its series at the start or the end of the panel,
    whichever is larger, if this difference is larger than *edge. If `reciprocal` is 1, the series is one of 1/f. Only
-   this test notices a kink of the law between an end and the nearest point of Gauss' rule. */
+   this test notices a kink of the law between an end of the panel and the nearest point of Gauss' rule. */
 VM_API int vmi_panel_edge(const vm_law *law, int if_not_positive, int reciprocal, vm_real start, vm_real length,
                           const vm_real *series, vm_real *edge)
 {
@@ -183,7 +185,7 @@ VM_API int vmi_law_add_inverse_integral(const vm_law *law, vm_real start, vm_rea
     return VM_OK;
 }
 
-/* Writes the integral of dt/f from 0 to t. It is a sum over panels, from one point of a table to the next. */
+/* Writes the integral of dt/f from 0 to t. The integral is a sum over panels, from one point of a table to the next. */
 VM_API int vmi_law_inverse_integral_by_panels(const vm_law *law, vm_real t, vm_real *integral)
 {
     vm_real at = 0;
@@ -221,7 +223,7 @@ VM_API int vm_law_inverse_integral(const vm_law *law, vm_real t, vm_real *integr
 /* -- The integral of any function of time -- */
 
 /* A function of time that is integrated, the integrand. It writes its value at t to *value, and returns VM_OK or the
-   status with which it fails. Where the value jumps at t, side = 1 asks for the value after t, side = -1 for the value
+   status with which it fails. Where the value jumps at t, side = 1 means the value after t, and side = -1 the value
    before t. */
 typedef int (*vmi_integrand)(vm_real t, int side, vm_real *value, void *ctx);
 
@@ -287,7 +289,8 @@ VM_API int vmi_law_ratio_at(vm_real t, int side, vm_real *value, void *ratio)
     return status;
 }
 
-/* Writes the integral of f/g dt from 0 to t. It is a sum over panels, from one point of a table to the next. */
+/* Writes the integral of f/g dt from 0 to t. The integral is a sum over panels, from one point of a table to the
+   next. */
 VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     const vm_real whole = VM_FABS(t);

@@ -19,16 +19,17 @@
    `periods` are P and Q. Near the resonance the frequency w(A) of the free vibration of amplitude A is about (P/Q) nu.
    P = Q = 1 is the main resonance. P = 3, Q = 1 is the resonance with the third harmonic of the force. P = 1, Q = 3 is
    a subharmonic resonance with a third of the frequency of the force, which exists where alpha is not 1. The vibration
-   has odd harmonics only. Therefore the averaged equations contain no force if Q is even after common factors of P and
-   Q have been removed.
+   has odd harmonics only. Harmonic j of the vibration is in resonance with harmonic n = j P/Q of the force, if this n
+   is a whole number. If Q is even after common factors of P and Q have been removed, n is not a whole number for any
+   odd j. Then the averaged equations contain no force.
 
    The averaged equations use the phase phi of the vibration and delta = phi - (P/Q) theta. q is the rate at which slow
    changes and damping act (slow.h), and G_j is explained below:
        A' = -q A/(alpha+3) - F/(m w) S,   delta' = w(A) - (P/Q) nu - F/(m w A) C,
-       S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)),
-   over the odd j for which n = j P/Q is a whole number. G_j is Om1^2 c_j/2, where Om1 is the field of vm_forced and c_j
-   the Fourier coefficient of cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 these terms are below 1e-7
-   of the first term. Tests: tests/test_periodic.c. */
+       S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)).
+   The sums are over the odd j for which n = j P/Q is a whole number. G_j is Om1^2 c_j/2, where Om1 is the field of
+   vm_forced and c_j the Fourier coefficient of cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 these
+   terms are below 1e-7 of the first term. Tests: tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
 
@@ -83,9 +84,9 @@ VM_API int vm_periodic_init(vm_periodic *p)
 }
 
 /* Sets the shape of a periodic force from n samples g[i] = g(2 pi i/n) over one period. Writes only the fields cosine
-   and sine of *p. The coefficients of all harmonics up to the ninth whose order is below n/2 are computed; all other
-   coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. g may
-   have any shape, such as a rectangular wave. Its harmonics above the ninth are left out, since they excite the
+   and sine of *p. The function computes the coefficients of those harmonics up to the ninth whose order is below n/2.
+   All other coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. g
+   may have any shape, such as a rectangular wave. Its harmonics above the ninth are left out, since they excite the
    vibration only little. The function takes about as long as the computation of 9 n sines. Returns VM_BAD_ARGUMENT for
    a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise. An error leaves *p
    as it was. */
@@ -225,8 +226,8 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
    Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
    where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
-   coefficient of sin(j phi) in sa. The second quotient is left out for those j and n that are in resonance, since v
-   does not vary there. */
+   coefficient of sin(j phi) in sa. For a j and an n that are in resonance the second quotient is left out, since v does
+   not vary at the resonance. */
 VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                    vm_real theta)
 {
@@ -256,7 +257,7 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
 /* Converts a motion (x, x', theta) under a periodic force, near the resonance, to its mean y = (A, delta, theta) (see
    vm_periodic_averaged_rhs). A is the amplitude without its ripple within a period. Returns the statuses of
    vm_periodic_rhs. In addition it returns VM_NOT_FINITE where a number of the motion is infinite or NaN, and VM_DOMAIN
-   where the amplitude is smaller than its ripple. y and motion may be the same array. */
+   where the amplitude minus its ripple is not positive. y and motion may be the same array. */
 VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -275,7 +276,7 @@ VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_rea
 
 /* Converts the mean y = (A, delta, theta) under a periodic force to the motion (x, x', theta). This is the inverse of
    vm_periodic_to_averaged: it adds the ripple again. Returns the statuses of vm_periodic_rhs. In addition it returns
-   VM_NOT_FINITE where a number of y is infinite or NaN, and VM_DOMAIN where A <= 0 or A is smaller than its ripple.
+   VM_NOT_FINITE where a number of y is infinite or NaN, and VM_DOMAIN where A <= 0 or A plus its ripple is negative.
    motion and y may be the same array. */
 VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_real *y, vm_real *motion)
 {
@@ -320,9 +321,9 @@ VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm
     return sums;
 }
 
-/* The amplitude for which the averaged equations give A' = 0 if the sum has the value S. It follows from A w(A) = -S
-   F/(m p), where p is q/(alpha+3), F/m the force per mass, and w(A) the frequency of the free vibration. The result is
-   0 where there is no such amplitude. */
+/* The amplitude for which the averaged equations give A' = 0 if the sum has the value S. This amplitude A follows from
+   A w(A) = -S F/(m p), where p is q/(alpha+3), F/m the force per mass, and w(A) the frequency of the free vibration.
+   The result is 0 where there is no such amplitude. */
 VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 {
     const vm_real product = -z->push / z->p * S;
@@ -330,9 +331,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess, which is delta' of the averaged equations times the absolute value of the sum S. It is computed at a
-   phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0 are the
-   steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. */
+/* The excess, which is delta' of the averaged equations times the absolute value of the sum S. The excess is computed
+   at a phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0
+   are the steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -372,9 +373,9 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
    belongs to at most one amplitude and one frequency nu of the force, so that values of delta from -pi to pi give the
    whole curve. The field nu of *steady is this frequency; the frequency in the fields of the oscillator is not used.
    All other parameters are those at time t. Returns the statuses of vm_periodic_rhs. In addition it returns
-   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN where no steady vibration has this phase, or where q = 0 in
-   the averaged equations, as without damping and slow changes, so that the phase does not determine the amplitude. An
-   error leaves *steady as it was. */
+   VM_NOT_FINITE where delta is not finite, and VM_DOMAIN in two cases: where no steady vibration has this phase, and
+   where q = 0 in the averaged equations. q is 0 if there is neither damping nor a slow change; then the phase does not
+   determine the amplitude. An error leaves *steady as it was. */
 VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
 {
     if (!p || !steady) return VM_BAD_ARGUMENT;
@@ -406,11 +407,12 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
 
 /* Steady vibrations under a periodic force, near the resonance, with their amplitudes, phases and stability. All
    parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
-   returns how many there are (this number may be larger than room), or a negative status. The function looks for
-   changes of sign between 360 phases, so that it may miss two vibrations whose phases differ by less than a degree;
-   such vibrations lie next to a fold of the resonance curve. The function takes about as long as the computation of
-   4000 sines. The negative statuses are those of vm_periodic_rhs, VM_BAD_ARGUMENT also for room < 0, and VM_DOMAIN also
-   for q = 0, which the comment of vm_periodic_curve explains. */
+   returns how many there are (this number may be larger than room), or a negative status. The function computes at 360
+   phases, one degree apart, a function of the phase that is 0 for a steady vibration, and looks for its changes of
+   sign. It may therefore miss two vibrations whose phases differ by less than a degree; such vibrations lie next to a
+   fold of the resonance curve. The function takes about as long as the computation of 4000 sines. The negative statuses
+   are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0,
+   which the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;

@@ -24,7 +24,7 @@
 
 /* A plan: numbers that vm_osc_plan_init computes once for a problem. Read the fields of the plan, but do not change
    them. The plan contains pointers to the tables of the problem, to the user's functions and to their ctx; therefore a
-   copy of it is of no use in another program. */
+   copy of the plan is of no use in another program. */
 typedef struct VM_TAG(vm_osc_plan) {
     vm_osc_problem problem;  /* a copy of the problem */
     vm_real m0, k0;          /* mass, kg, and stiffness, N/m^alpha, at t = 0 */
@@ -33,8 +33,8 @@ typedef struct VM_TAG(vm_osc_plan) {
     vmi_osc_slow slow;       /* mass, stiffness and the numbers G_k (see vmi_osc_slow) just after t = 0 */
     vm_real E[VMI_OSC_G];    /* the numbers E_k at t = 0 (see vmi_osc_disturbance) */
     vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
-    int start_order;         /* order of the law of order five by which `mean` was found: 5, or 2 if `ripple` has no
-                                polynomials; 0 where x and v are 0, so that there is no mean motion */
+    int start_order;         /* order after which the law of order five was cut off to find `mean`: 5, or 2 if `ripple`
+                                has no polynomials; 0 where x and v are 0, so that there is no mean motion */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
     vmi_osc_rates_of_u laws; /* where `closed` is 1, the rates in the exponents of the laws (oscillators/closed.h) */
     vmi_osc_closed_mean closed_mean; /* where `closed` is 1, the mean motion at t = 0 and its rates */
@@ -53,7 +53,7 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 }
 
 /* Returns the time, s, in which the phase grows by 16. The second and higher derivatives of a law by a user's function
-   are found from its first derivatives within such a time. */
+   are found from its first derivatives within this time. */
 VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
 {
     if (!(p->Om > 0)) return 0;
@@ -107,9 +107,9 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     return VM_OK;
 }
 
-/* Fills the plan except for three parts. vmi_osc_start adds the first, the mean motion. The other two are the plan of
-   the Ateb functions and the polynomials of the ripple; computing them saves time only for many values. for_many is 1
-   if the caller adds these two. */
+/* Fills the plan except for three parts. The first part, the mean motion, is added by vmi_osc_start. The second and the
+   third part are the plan of the Ateb functions and the polynomials of the ripple, which save time only for many
+   values. for_many is 1 if the caller adds the second and the third part. */
 VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int for_many)
 {
     const vm_osc_problem *o = &p->problem;

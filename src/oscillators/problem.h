@@ -2,9 +2,9 @@
 
    The equation of motion, with mass m(t), stiffness k(t), damping b and a further small force F, is
      m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = F(t, x, x'),   x(0) and x'(0) given.
-   Ten methods, called routes, compute x(t) and x'(t). The functions for them are in oscillators/routes.h, which also
-   shows the shortest useful call. `reactive` is 1 where mass that joins or leaves is at rest, and 0 where it has the
-   body's velocity. With a plan (oscillators/plan.h) one motion is evaluated at many values of t.
+   Ten methods, called routes, compute x(t) and x'(t). The functions of the routes are in oscillators/routes.h, which
+   also shows the shortest useful call. `reactive` is 1 where mass that joins or leaves is at rest, and 0 where this
+   mass has the body's velocity. With a plan (oscillators/plan.h) one motion is evaluated at many values of t.
    Tests: tests/test_averaging.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_PROBLEM_H
 #define VARMASS_OSCILLATORS_PROBLEM_H

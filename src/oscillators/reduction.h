@@ -4,8 +4,9 @@
    The oscillator m x'' + k x|x|^(alpha-1) + (reactive m' + b) x' = 0 can be written d(mu x')/dt + kappa x|x|^(alpha-1)
    = 0. m(t) is the mass and k(t) the stiffness. The functions mu(t) and kappa(t) follow from mu'/mu = a with a =
    (reactive m' + b)/m, and from kappa/mu = k/m. `reactive` is 1 where mass that joins or leaves is at rest, and 0 where
-   it has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
-   Then x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a phase psi with the exact equations
+   this mass has the body's velocity; b is the damping. Let p = (ln(mu kappa))'/(alpha+3) and V = x' + p x.
+   Then, with the Ateb functions ca and sa, x = A ca(psi) and V = -(2/(alpha+1)) W A sa(psi) define an amplitude A and a
+   phase psi, which obey the exact equations
      A'/A = -p + (G_0/W) sa ca,   psi' = W + (alpha+1)/2 (G_0/W) ca^2,   G_0 = p^2 - a p - p',
    where W is the rate that the phase has at the amplitude A if mass and stiffness are constant. Only G_0 disturbs the
    slow motion A'/A = -p, psi' = W, and G_0 is of second order in the rates of mass and stiffness. The numbers G_1, G_2
@@ -38,21 +39,21 @@ typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate;       /* k'/k, 1/s */
-    vm_real unit;         /* a time of about 1/W, s, by which the G_i are made pure numbers, so that powers of very
-                             large or small rates do not overflow */
+    vm_real unit;         /* a time of about 1/W, s; its powers make the G_k pure numbers, so that powers of very large
+                             or small rates do not overflow */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
 } vmi_osc_slow;
 
-/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. They follow from the values and first
-   derivatives of the laws alone. */
+/* Mass, stiffness and the rates a and p at one time, without the numbers G_k. These numbers need only the values and
+   the first derivatives of the laws. */
 typedef struct VM_TAG(vmi_osc_rates) {
     vm_real m, k; /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p; /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate; /* k'/k, 1/s */
 } vmi_osc_rates;
 
-/* Writes mass, stiffness and their rates at t to *r. Where the rates jump at t, side = 1 asks for the rates after t,
-   side = -1 for the rates before t. Returns the statuses of vmi_law_derivatives. */
+/* Writes mass, stiffness and their rates at t to *r. Where the rates jump at t, side = 1 means the rates after t, and
+   side = -1 the rates before t. Returns the statuses of vmi_law_derivatives. */
 VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r)
 {
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
@@ -197,10 +198,11 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
     vmi_osc_find_G(n, m, k, now);
 }
 
-/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 asks for the derivatives after t, side =
-   -1 for those before t. The comment of vmi_law_derivatives explains the argument `length`, s. The argument `unit`, s,
-   becomes the field `unit` of *now. Returns VM_OK, or the status of a law that fails: VM_BAD_MASS or VM_BAD_STIFFNESS
-   if it is not positive, VM_DOMAIN if it has no value at t, VM_NOT_FINITE if a number is infinite or NaN. */
+/* Fills *now for the time t. Where derivatives of the laws jump at t, side = 1 means the derivatives after t, and side
+   = -1 the derivatives before t. The comment of vmi_law_derivatives explains the argument `length`, s. The argument
+   `unit`, s, becomes the field `unit` of *now. Returns VM_OK, or the status of a law that fails: VM_BAD_MASS or
+   VM_BAD_STIFFNESS if the law is not positive, VM_DOMAIN if it has no value at t, VM_NOT_FINITE if a number is infinite
+   or NaN. */
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {

@@ -31,17 +31,18 @@ typedef struct VM_TAG(vm_steady_state) {
     vm_real delta;      /* phase by which the vibration leads the force, rad, -pi < delta <= pi */
     vm_real trace, det; /* trace and determinant of the linearized equations: small deviations from the steady vibration
                            vary as e^(lambda t), where lambda^2 - trace lambda + det = 0 */
-    int stable;         /* 1 if the vibration is stable, which means det > 0 and trace < 0; else 0. It is a saddle if
-                           det < 0 */
+    int stable;         /* 1 if the vibration is stable, which means det > 0 and trace < 0; else 0. If det < 0, the
+                           vibration is a saddle */
 } vm_steady_state;
 
 /* The passage through the resonance, for the rates of mass, stiffness and frequency at one time */
 typedef struct VM_TAG(vm_passage) {
     vm_real A;              /* amplitude, m, whose natural frequency w(A) is the frequency nu of the force; for alpha =
                                1 the argument `amplitude` */
-    vm_real drift_ratio;    /* rate at which w - nu changes without the force, divided by the largest such rate that the
-                               force can balance. If it is below 1, the vibration may be captured, so that its amplitude
-                               follows A; if it is above 1, the vibration passes through the resonance */
+    vm_real drift_ratio;    /* rate at which w - nu changes without the force, divided by the largest rate of change
+                               that the force can balance. If the ratio is below 1, the vibration may be captured, so
+                               that its amplitude follows A; if the ratio is above 1, the vibration passes through the
+                               resonance */
     vm_real delta;          /* phase by which the captured vibration leads the force, rad; NaN for drift_ratio > 1 */
     vm_real amplitude_jump; /* largest relative change of the amplitude in a quick passage (drift_ratio much larger
                                than 1). The change depends on the phase at the start and may have either sign */
@@ -113,8 +114,9 @@ VM_API int vmi_resonance_turns(const vmi_resonance *z, vm_real alpha, vm_real x[
 }
 
 /* The amplitudes of the steady vibrations for alpha != 1. Writes at most three amplitudes, in ascending order, and
-   returns how many there are. They are the zeros of vmi_resonance_excess, a function of x = ln A. This function is
-   monotonic below, between and above its extrema, so each of these intervals contains at most one zero. */
+   returns how many there are. The amplitudes are the zeros of vmi_resonance_excess, a function of x = ln A. Between two
+   neighbouring extrema, and outside the extrema, this function only rises or only falls. Therefore each of these
+   intervals contains at most one zero. */
 VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
 {
     const vm_real steep = vmi_larger(VM_FABS(z->exponent), 1);
@@ -139,8 +141,8 @@ VM_API int vmi_resonance_roots(vmi_resonance *z, vm_real alpha, vm_real A[3])
    how many there are, 0 where the force is 0, or a negative status. In the tests the relative error of amplitudes,
    compared with solutions of the averaged equations, is at most 3e-14 (float 3e-5). To get the response at several
    frequencies nu of the force, call the function for each nu. The averaged equations are valid only near the resonance,
-   where the natural frequency w(A) is about nu; far from it a solution may differ from every real motion. The negative
-   statuses are those of vm_forced_rhs. */
+   where the natural frequency w(A) is about nu; far from the resonance a solution may differ from every real motion.
+   The negative statuses are those of vm_forced_rhs. */
 VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_state steady[3])
 {
     if (!f || !steady) return VM_BAD_ARGUMENT;
@@ -163,10 +165,10 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
 }
 
 /* Steady vibrations of a given amplitude A, m, at any frequency nu > 0: points of the amplitude-frequency curve. Writes
-   at most two vibrations to curve, the lower frequency first. They lie on both sides of the backbone, the curve nu =
-   w(A) with the natural frequency w. Returns how many there are, 0 where the force is too small for the amplitude A, or
-   a negative status: a status of vm_forced_rhs, where VM_DOMAIN also means that A is not positive. Results that
-   overflow are NaN. */
+   at most two vibrations to curve, the lower frequency first. The two vibrations lie on both sides of the backbone, the
+   curve nu = w(A) with the natural frequency w. Returns how many there are, 0 where the force is too small for the
+   amplitude A, or a negative status. The negative statuses are those of vm_forced_rhs; VM_DOMAIN also means that A is
+   not positive. Results that overflow are NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -206,15 +208,15 @@ VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
     return vmi_pow_checked(VM_FABS(z.push / z.p) / z.w1, 2 / (f->alpha + 1));
 }
 
-/* Passage through the resonance: tells whether slow changes of mass, stiffness and frequency, with their rates at time
-   t, let the vibration pass through the resonance or capture it. The argument `amplitude`, m, is used for alpha = 1
-   only, where the natural frequency w is the same for all amplitudes. Let nu be the frequency of the force, and delta
-   the phase by which the vibration leads the force. Near w(A) = nu the averaged equations give delta'' = -(gamma
-   push/A) sin(delta) - nu D, which is the equation of a pendulum under a torque. Here gamma = (alpha - 1)/2, push is
-   the field of vmi_resonance (a force per mass), and D is the rate at which ln(w/nu) would fall without the force. The
-   field drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum can balance.
-   Returns the statuses of vm_forced_rhs, where VM_DOMAIN also means that the force is 0 or that the amplitude is not
-   positive and finite. An error leaves *passage as it was. */
+/* Passage through the resonance: tells whether the vibration passes through the resonance or is captured by it, while
+   mass, stiffness and frequency change slowly with the rates that they have at time t. The argument `amplitude`, m, is
+   used for alpha = 1 only, where the natural frequency w is the same for all amplitudes. Let nu be the frequency of the
+   force, and delta the phase by which the vibration leads the force. Near w(A) = nu the averaged equations give delta''
+   = -(gamma push/A) sin(delta) - nu D, which is the equation of a pendulum under a torque. Here gamma = (alpha - 1)/2,
+   push is the field of vmi_resonance (a force per mass), and D is the rate at which ln(w/nu) would fall without the
+   force. The field drift_ratio is the torque |nu D| divided by |gamma push/A|, the largest torque that the pendulum can
+   balance. Returns the statuses of vm_forced_rhs; VM_DOMAIN also means that the force is 0, or that the amplitude is
+   not positive and finite. An error leaves *passage as it was. */
 VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, vm_passage *passage)
 {
     if (!f || !passage) return VM_BAD_ARGUMENT;

@@ -5,8 +5,8 @@
    < > is the mean over a period. The other four are integrals over psi, each with the mean 0 and the period Pi_alpha:
      S = integral of C,   S2 = integral of S,   S3 = integral of S2,   Q = integral of C^2 - <C^2>.
    A vmi_ripple contains what is computed once for an alpha: polynomials that approximate these integrals, and constants
-   of the law of order five (oscillators/expansion.h). It contains no pointers, so that a constant vmi_ripple may lie in
-   flash memory.
+   of the law of order five (oscillators/expansion.h). A vmi_ripple contains no pointers; therefore a constant
+   vmi_ripple may lie in flash memory.
        vmi_ripple r;
        vmi_ripple_values f;
        vm_real sa, ca;
@@ -89,9 +89,9 @@ VM_API vm_real vmi_binomial_next(vm_real before, int i, vm_real exponent)
 }
 
 /* Replaces the coefficients i - 1 of the power series in *s by the coefficients i; before the call with i = 0 all must
-   be 0. For `order` up to 3 only the series for the integral of ca^2 are computed. Method: let I be the integral of
-   ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D. The differential equations
-   D'' = ca^2 and E'' = I give each coefficient of D and E from the previous coefficient. */
+   be 0. For `order` up to 3 the function computes only the series for the integral of ca^2. Method: let I be the
+   integral of ca^2 over the phase from a zero of ca or sa, D the integral of I, and E the integral of D. The
+   differential equations D'' = ca^2 and E'' = I give each coefficient of D and E from the previous coefficient. */
 VM_API void vmi_ripple_next_terms(vmi_ripple_series *s, int order, int i, vm_real alpha)
 {
     const vm_real n = alpha + 1, nu = 2 * alpha / n, k = (vm_real)(2 * i);
@@ -143,9 +143,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set. Polynomials that the law of order five needs only beyond `order`
-   become 0. The function adds up the power series, in which each power w^i or y^i is replaced by its Chebyshev
-   series. */
+/* Makes the eight polynomials, four in each set. Polynomials that the law of order five needs only for terms above
+   `order` become 0. The function adds up the power series; in the sum it replaces each power w^i or y^i by the
+   Chebyshev series of this power. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -194,8 +194,8 @@ typedef struct VM_TAG(vmi_ripple_integrals) {
                                         integral of `first` */
 } vmi_ripple_integrals;
 
-/* A place, that is a phase between a zero of ca or sa and the phase where sa^2 = 1/2, and the numbers from which the
-   integrals from the zero to this place follow. At sa^2 = 1/2 one set of polynomials replaces the other. */
+/* A place is a phase between a zero of ca or sa and the phase where sa^2 = 1/2. The struct has the numbers that give
+   the integrals from the zero to this place. At sa^2 = 1/2 one set of polynomials replaces the other. */
 typedef struct VM_TAG(vmi_ripple_place) {
     const vm_real (*polynomial)[VMI_RIPPLE_TERMS]; /* near_ca_0 or near_sa_0 */
     vm_real z;        /* variable of the polynomials */
@@ -246,8 +246,8 @@ VM_API vmi_ripple_integrals vmi_ripple_integrals_at(const vmi_ripple_place *at, 
 
 /* -- Preparing an alpha, and the functions -- */
 
-/* Prepares the ripple for an alpha >= 0, without the polynomials. Without them only C can be computed, of the five
-   functions at the top of this file. `constants` is the function that computes Pi_alpha. */
+/* Prepares the ripple for an alpha >= 0, without the polynomials. Without the polynomials, only the first of the five
+   functions at the top of this file, C, can be computed. `constants` is the function that computes Pi_alpha. */
 VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of constants)
 {
     vmi_ateb c;
@@ -262,8 +262,8 @@ VM_API void vmi_ripple_init(vmi_ripple *r, vm_real alpha, vmi_ateb_constants_of 
     r->has_polynomials = 0;
 }
 
-/* Sets at_sa_0 and at_ca_0, the values of S2 at the zeros of sa and of ca. They follow from the condition that both
-   sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
+/* Sets at_sa_0 and at_ca_0, the values of S2 at the zeros of sa and of ca. These values follow from the condition that
+   both sets of polynomials give the same S2 and S3 at the phase where sa^2 = 1/2. */
 VM_API void vmi_ripple_join(vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));
@@ -292,8 +292,9 @@ VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
     r->has_polynomials = 1;
 }
 
-/* Writes those of the functions C, S, S2, S3 and Q that the law of the given order, 2 to 5, needs, at the phase psi. sa
-   and ca are the Ateb functions of psi. For orders above 2, vmi_ripple_complete must have been called before. */
+/* Writes the functions C, S, S2, S3 and Q at the phase psi. Functions that the law of the given order, 2 to 5, does not
+   need are not valid. sa and ca are the Ateb functions of psi. For orders above 2, vmi_ripple_complete must have been
+   called before. */
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));

@@ -27,10 +27,10 @@
 
    Cost. If the problem has no force F, the first seven routes (VM_ROUTE_TRIG to VM_ROUTE_ORDER5) are averaged solutions
    in closed form: they need one or two evaluations of sa and ca and the integrals of the laws of mass and stiffness,
-   whatever t and the tolerance are. The last three routes integrate from 0 to t within the tolerance. They integrate
-   twice, the second time with a stricter tolerance, and the difference of the two results gives the error. With a force
-   F the averaged equations of the first three routes are integrated numerically, too, and the routes VM_ROUTE_ORDER2 to
-   VM_ROUTE_ORDER5 do not exist. docs/cost.md has the times.
+   for every t and every tolerance. The last three routes integrate from 0 to t within the tolerance. Each of these
+   three integrates twice, the second time with a stricter tolerance, and the difference of the two results gives the
+   error. With a force F the averaged equations of the first three routes are integrated numerically, too, and the
+   routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 do not exist. docs/cost.md has the times.
 
    Choice. vm_osc_within takes the first of the seven averaged solutions whose estimated error is within the tolerance.
    If there is no such solution, or if there is a force F, it integrates numerically: by collocation
@@ -47,8 +47,8 @@
      - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and the terms of the
        ripple of second order.
      - a force that changes within a period, as in a resonance. To find such changes, the function F is called over one
-       period at the start and over one period at each of eight later times. So the estimate misses a force that acts
-       only for a short time between these periods.
+       period at the start and over one period at each of eight later times. Therefore the estimate misses a force that
+       acts only for a short time between these periods.
 
    How good the estimate is. tests/test_routes.c compares the estimate with the true error of random problems. In these
    problems alpha is from 1/8 to 8, the relative rate q of change of mass and stiffness from 2e-3 to 0.1, and t from 1/q
@@ -71,8 +71,8 @@ typedef int (*vmi_osc_solution)(const vm_osc_plan *p, int route, const vmi_osc_w
 typedef int (*vmi_osc_integration)(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                    vm_osc_motion *motion);
 
-/* Integrates the averaged equations numerically. This is needed with a force F, since there is no solution in closed
-   form. */
+/* Integrates the averaged equations numerically. A problem with a force F needs this function, since with F there is no
+   solution in closed form. */
 VM_API int vmi_osc_integrate_averaged(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance,
                                       vm_osc_motion *motion)
 {
@@ -187,9 +187,9 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
      VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with a force F, and for all routes with F if x = v = 0 at t = 0,
      VM_NOT_INTEGRATED, for collocation only, where amplitude and phase do not describe the motion,
      VM_NOT_INTEGRATED where the integrator cannot reach t, where |t| is more than 2^23 of the present periods, or where
-       there are too many steps: more than 2^13 a period plus four times the number that the longest step makes
-       necessary.
-   The two limits on |t| and on the steps guarantee that every call ends. */
+       there are too many steps: more than 2^13 in each period, plus four times the number of steps of the greatest
+       length that is allowed.
+   The limit of |t| and the limit of the number of steps guarantee that every call ends. */
 VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vmi_osc_route entry;
@@ -213,8 +213,8 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
    the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
-    const vm_real reserve = VM_C(1.5); /* a factor on the estimate: in one case of 400 the error is larger than the
-                                          estimate, up to 1.9 times */
+    const vm_real reserve = VM_C(1.5); /* a factor on the estimate: in one of 400 cases the true error is larger than
+                                          the estimate, by a factor of up to 1.9 */
     vmi_osc_mean mean;
     vmi_osc_wave w;
     vm_real first;
@@ -251,8 +251,8 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
 
 /* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. The function takes the cheapest route
    whose estimated error is within the tolerance; motion->route is this route. The error is the larger of |error of x|/A
-   and |error of v|/vmax (see vm_osc_motion). For an error of x of at most d metres, the tolerance is d/A; a tolerance
-   of 0 means 1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
+   and |error of v|/vmax (see vm_osc_motion). To keep the error of x below d metres, set the tolerance to d/A. A
+   tolerance of 0 means 1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);
@@ -280,8 +280,8 @@ VM_API int vmi_osc_once(const vm_osc_problem *problem, int complete, vm_osc_plan
 }
 
 /* Computes x(t), x'(t) at time t (s, either sign) by a given route. Use this function for a single t; for several
-   values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_by_route; it also returns the
-   statuses of vm_osc_plan_init. */
+   values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_by_route; the function also returns
+   the statuses of vm_osc_plan_init. */
 VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, vm_real tolerance,
                            vm_osc_motion *motion)
 {
@@ -294,8 +294,8 @@ VM_API int vm_osc_by_route(const vm_osc_problem *problem, int route, vm_real t, 
 }
 
 /* Computes x(t), x'(t) at time t (s, either sign) within a tolerance, by the cheapest route. Use this function for a
-   single t; for several values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_within; it
-   also returns the statuses of vm_osc_plan_init. */
+   single t; for several values of t make a plan. Arguments, result and statuses are those of vm_osc_plan_within; the
+   function also returns the statuses of vm_osc_plan_init. */
 VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     vm_osc_plan plan;

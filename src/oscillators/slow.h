@@ -2,14 +2,14 @@
 
    This file has, in closed form, the amplitude and the largest velocity of an oscillator
        m x'' + k x|x|^(alpha-1) = -(r m' + b) x'
-   whose mass m(t) varies slowly, that is, by little within a period: (325), (326), (344), (364), (367), (389), (395).
-   The files for Van der Pol's oscillator, for the rotor, for two bodies and for an oscillator under a harmonic force
-   use this file.
+   whose mass m(t) varies slowly, that is, by little within a period. These are the equations (325), (326), (344),
+   (364), (367), (389) and (395) of the dissertation. The files for Van der Pol's oscillator, for the rotor, for two
+   bodies and for an oscillator under a harmonic force use this file.
 
        vm_real A = 3 * vm_osc_amplitude_law(VM_C(0.5), 0, 1, 3); // A at a later time
 
-   Here A was 3 at first, half of the mass is gone, no damping acts (0), the force is reactive (1), and the spring is
-   cubic (alpha = 3).
+   Here A was 3 at t = 0. The arguments say: half of the mass is left (0.5), there is no damping (0), the mass that
+   leaves is at rest (1), and the spring is cubic (alpha = 3).
 
    The symbols in these files: A is the amplitude, psi the Ateb phase, Om = psi' its rate, m the mass, k the stiffness,
    b the damping, r the argument `reactive`, and q the rate at which mass, damping and stiffness change the vibration
@@ -47,9 +47,9 @@ VM_API vm_real vm_osc_amplitude_law(vm_real mass_ratio, vm_real decay, vm_real r
 }
 
 /* Ratio of the largest velocity x'_max within a period to its value at t = 0, for an oscillator whose mass varies
-   slowly. It follows from the amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326), (364) and (395) as
-   corrected in docs/errata.md. The arguments and their domain are those of vm_osc_amplitude_law. Outside the domain and
-   for infinite arguments the result is NaN. */
+   slowly. The largest velocity follows from the amplitude A by x'_max = sqrt(2 k A^(alpha+1)/((alpha+1) m)): (326),
+   (364) and (395) as corrected in docs/errata.md. The arguments and their domain are those of vm_osc_amplitude_law.
+   Outside the domain and for infinite arguments the result is NaN. */
 VM_API vm_real vm_osc_velocity_law(vm_real mass_ratio, vm_real decay, vm_real reactive, vm_real alpha)
 {
     const vm_real share = (alpha + 1) / (alpha + 3); /* (alpha+1)/2, the exponent of A in x'_max, times 2/(alpha+3) */
@@ -64,10 +64,10 @@ typedef struct VM_TAG(vmi_linear_mass) {
     vm_real integral;    /* integral of dt/m from 0 to t, s/kg; its formula is also valid at rate = 0 */
 } vmi_linear_mass;
 
-/* Writes to *linear the mass that a law describes between 0 and t, if this mass is linear in time. Closed forms need
-   this. Returns VM_NO_LAW where the mass is neither linear in time nor constant; the code finds this by
-   vmi_law_exponential_form. Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no
-   constructor made the law, and VM_NOT_FINITE for a number that is infinite or NaN. */
+/* Writes to *linear the mass that a law describes between 0 and t, if this mass is linear in time. Some closed forms
+   hold only for a linear mass. Returns VM_NO_LAW where the mass is neither linear in time nor constant;
+   vmi_law_exponential_form tells this. Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT
+   where no constructor made the law, and VM_NOT_FINITE for a number that is infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;

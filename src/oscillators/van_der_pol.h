@@ -1,13 +1,13 @@
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
-   The equation is (404), with the mass m(t), a spring of any exponent alpha, and a stiffness k, which may vary slowly
-   like the mass:
+   The equation is (404) of the dissertation. The spring has any exponent alpha; the mass m(t) and the stiffness k may
+   vary slowly:
        m x'' + k x|x|^(alpha-1) = (feed - c x^2) x' - r m' x'
-   The term with feed > 0 brings energy into the vibration, and the term with c > 0 limits it; then the vibration tends
-   to a steady one, the limit cycle. r is the field `reactive`: 1 where mass that joins or leaves is at rest, 0 where it
-   has the body's velocity. This file has the equation of motion, the averaged equations (410), the amplitude in closed
-   form for a mass that is linear in time, and the amplitude of the limit cycle. These are the equations (403) to (440),
-   as corrected in docs/errata.md.
+   The term with feed > 0 brings energy into the vibration, and the term with c > 0 limits the vibration. With both
+   terms the vibration tends to a steady vibration, the limit cycle. r is the field `reactive`: 1 where mass that joins
+   or leaves is at rest, 0 where this mass has the body's velocity. This file has the equation of motion, the averaged
+   equations (410), the amplitude in closed form for a mass that is linear in time, and the amplitude of the limit
+   cycle. These are the equations (403) to (440), as corrected in docs/errata.md.
 
        vm_vdp v;
        memset(&v, 0, sizeof v);
@@ -15,7 +15,7 @@
        v.feed = v.c = VM_C(0.1);
        v.mass = vm_law_linear(1, VM_C(0.02)); // 1 kg, and 0.02 kg/s joins at rest
        int status = vm_vdp_init(&v);
-       vm_real A = vm_vdp_amplitude(&v, 100, VM_C(0.3)); // at t = 100 s, where it was 0.3 m at t = 0
+       vm_real A = vm_vdp_amplitude(&v, 100, VM_C(0.3)); // A at t = 100 s, if A = 0.3 m at t = 0
 
    Tests: tests/test_van_der_pol.c. */
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_H
@@ -33,8 +33,8 @@
 #include "laws.h"
 #include "slow.h"
 
-/* Methods of averaging. Each method computes the means over one period of an approximate motion x, which is given
-   beside its name. A is the amplitude and psi the Ateb phase. */
+/* Methods of averaging. Each method takes the means over one period of an approximate motion x. The comment beside the
+   name of the method has this motion. A is the amplitude and psi the Ateb phase. */
 enum {
     VM_VDP_ATEB = 0,         /* x = A ca(psi), the exact motion without damping; the means are exact to first order */
     VM_VDP_JACOBI = 1,       /* x = A cn with Jacobi's cn (411)-(413); the error of the limit cycle's amplitude is at
@@ -51,11 +51,12 @@ typedef struct VM_TAG(vm_vdp) {
     vm_real feed;       /* coefficient of the term that brings energy into the vibration, N s/m; if it is < 0, the term
                            takes energy out */
     vm_real c;          /* coefficient of the term that limits the vibration, N s/m^3 */
-    vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where it has the body's velocity */
+    vm_real reactive;   /* r: 1 where mass that joins or leaves is at rest, 0 where this mass has the body's velocity */
     int method;         /* method of averaging, VM_VDP_... */
     vm_law mass;        /* slow mass m, kg, > 0; vm_vdp_init and vm_vdp_limit_cycle do not use it */
-    vm_law stiffness;   /* slow stiffness, N/m^alpha, > 0, in place of k; if all its fields are 0, as after memset, the
-                           stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use it */
+    vm_law stiffness;   /* law of a slow stiffness, N/m^alpha, > 0, in place of k; if all fields of the law are 0, as
+                           after memset, the stiffness is the constant k. vm_vdp_init and vm_vdp_limit_cycle do not use
+                           it */
     vm_real a1, a2, a3; /* mean values in the averaged equations (410), pure numbers; vm_vdp_init writes them */
 } vm_vdp;
 
@@ -103,9 +104,9 @@ VM_API int vmi_vdp_check(const vm_vdp *v)
 
 /* Prepares a Van der Pol oscillator: checks the fields alpha, k, feed, c, reactive and method, and writes the mean
    values a1, a2, a3 (411)-(413). The functions below need this call; the mass may be set and changed later. The mean
-   values are within 20 eps. Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number
-   that is infinite or NaN, VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness, VM_DOMAIN for alpha < 0, and
-   VM_OK otherwise. An error leaves *v as it was. */
+   values are within 20 eps of the true values. Returns VM_BAD_ARGUMENT for a null pointer or an unknown method,
+   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness,
+   VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves *v as it was. */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     int status;
@@ -116,8 +117,8 @@ VM_API int vm_vdp_init(vm_vdp *v)
     return VM_OK;
 }
 
-/* The drive 2 feed - (2 reactive - 1) m', N s/m, where m' is the mass rate. If it is positive, a small vibration grows
-   on average. */
+/* The drive 2 feed - (2 reactive - 1) m', N s/m, where m' is the mass rate. If the drive is positive, a small vibration
+   grows on average. */
 VM_API vm_real vmi_vdp_drive(const vm_vdp *v, vm_real mass_rate)
 {
     return -vmi_slow_drag(v->reactive, mass_rate, -v->feed);
@@ -131,7 +132,8 @@ VM_API vm_real vmi_vdp_growth(const vm_vdp *v, vm_real mass_rate, vm_real A)
     return vmi_vdp_drive(v, mass_rate) * v->a2 / 2 - v->c * A * A * v->a3;
 }
 
-/* Returns 1 if the closed forms below may be used, that is if vm_vdp_init has prepared the oscillator; else 0. */
+/* Returns 1 if the closed forms in this file may be used, that is if vm_vdp_init has prepared the oscillator; else
+   0. */
 VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a mass that is linear in time. first_A is the

@@ -11,7 +11,7 @@
    of R^((alpha-1)/4) dt, an incomplete beta function whose second parameter is 0. This function is elementary only if
    (alpha-1)/4 is rational, and the orders two and three need several such functions (docs/van-der-pol.md). For these
    alpha the code of oscillators/van_der_pol_walk.h computes all integrals numerically until the limit cycle (the steady
-   vibration) is reached. From that time on the phase grows at a constant rate. So the cost does not depend on t.
+   vibration) is reached. From that time on the phase grows at a constant rate. Therefore the cost does not depend on t.
        vmi_vdp_mean mean;
        vm_vdp_plan plan;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -29,7 +29,7 @@
 #include "van_der_pol_expansion.h"
 #include "van_der_pol_walk.h"
 
-/* Returns 1 if the form of a law shows that the law is constant, else 0. */
+/* Returns 1 if the exponential form of a law (vmi_law_exponential_form) shows that the law is constant, else 0. */
 VM_API int vmi_vdp_is_constant(const vm_law *law)
 {
     vm_real base, rate;
@@ -76,8 +76,8 @@ VM_API int vmi_vdp_grow(vmi_vdp_growth_course *g, vm_real time)
     return VM_OK;
 }
 
-/* Returns the terms of second order in y, divided by y, for alpha = 1. These terms are integrals over time of e^(kappa
-   t), e^(kappa t) A^2 and e^(kappa t) A^4, where A is the amplitude of first order. */
+/* Returns the terms of second order in y, divided by y, for alpha = 1. These terms contain the integrals over time of
+   e^(kappa t), e^(kappa t) A^2 and e^(kappa t) A^4, where A is the amplitude of first order. */
 VM_API vm_real vmi_vdp_closed_loss(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, vm_real W)
 {
     const vmi_vdp_ripple *v = &p->ripple;
@@ -118,8 +118,8 @@ VM_API int vmi_vdp_closed(const vm_vdp_plan *p, vmi_vdp_growth_course *g, vm_rea
 }
 
 /* Returns the time, s, after which the motion differs from the limit cycle (the steady vibration) by rounding errors
-   only. The time is counted from the start of the mean motion, forward for side = 1, backward for side = -1. It is
-   infinite if the motion does not tend to a limit cycle in this direction. */
+   only. The time is counted from the start of the mean motion, forward for side = 1, backward for side = -1. The result
+   is infinite if the motion does not tend to a limit cycle in this direction. */
 VM_API vm_real vmi_vdp_settling_time(const vm_vdp_plan *p, const vmi_vdp_growth_course *g, int side)
 {
     const vm_real digits = VM_MANT_DIG > 24 ? 45 : 24; /* exp(-45) and, for float, exp(-24) are below the rounding
@@ -145,7 +145,7 @@ VM_API void vmi_vdp_stay(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
    the limit cycle is reached. Returns the statuses of vmi_vdp_mean_at. */
 VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
-    const vm_real extreme = VM_C(1e6); /* for |z| > extreme or < 1/extreme the closed form divides by about 0 */
+    const vm_real extreme = VM_C(1e6); /* for |z| > extreme or |z| < 1/extreme the closed form divides by nearly 0 */
     const int side = vmi_time_side(t);
     vmi_vdp_growth_course g;
     vm_real settled;

@@ -1,15 +1,16 @@
 /* oscillators/van_der_pol_expansion.h - Van der Pol's oscillator: from the motion to its mean motion and back
 
-   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping, so that the rates a
-   and p of oscillators/reduction.h contain it. Then the amplitude A and the phase psi of oscillators/reduction.h obey
-   the exact equations
+   The oscillator is that of oscillators/van_der_pol.h. The feed is treated as a negative damping; therefore the rates a
+   and p of oscillators/reduction.h contain the feed. Then the amplitude A and the phase psi of oscillators/reduction.h
+   obey the exact equations
      (ln A)' = -p + W [-(2/n) e ca^2 sa^2 + E0 sa ca - Q0 ca^3 sa],
      psi'    =      W [1 - e ca^3 sa + (n/2) E0 ca^2 - (n/2) Q0 ca^4],
    with n = alpha + 1. W is the rate of the phase at the amplitude A for constant mass and stiffness. Let epsilon be the
    relative change of the vibration while the phase grows by 1. The numbers e, e1, Q0 and E0, called the disturbances,
    are
      e = (c/m) A^2/W,  e1 = e nu/W,  Q0 = e p/W,  E0 = (p^2 - a p - p')/W^2,  nu = -m'/m - 4 p + a;
-   where m is the mass. e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 all but E0 are 0.
+   where m is the mass. e is of the order epsilon; e1, Q0 and E0 are of the order epsilon^2. For c = 0 all disturbances
+   except E0 are 0.
 
    A transformation leads from A and psi to mean values, whose rates do not vary within a period. Let J be
    A^((alpha+3)/2) times a factor that varies slowly, chosen so that J is constant if A'/A = -p. Then the mean values of
@@ -18,8 +19,8 @@
      psi'    = W [1 + K_2 e^2 - (n/2) <ca^4> Q0 + (n/2) <ca^2> E0],
    where < > is the mean over a period. F and K_1, K_2, K_3, K_Q, K_E are constants that depend on alpha only. This file
    has these constants, and the transformation in both directions. These equations and the transformation are called the
-   law of order three: the motion that follows from them has an error of O(epsilon^3) over times of 1/epsilon. The law
-   is new; docs/van-der-pol.md shows how large its errors are.
+   law of order three: the motion that this law gives has an error of O(epsilon^3) over times of 1/epsilon. The law is
+   new; docs/van-der-pol.md shows how large its errors are.
        vmi_ripple r;
        vmi_vdp_ripple v;
        vmi_ripple_init(&r, 1, vmi_ateb_constants);
@@ -35,14 +36,14 @@
 #include "constant_mass.h"
 #include "ripple.h"
 
-/* The indices of the polynomials for phases near a zero of sa, which the law of order three needs in addition to those
-   of oscillators/ripple.h. CA6 gives the integral over the phase of ca^6. SQUARE gives the integral of S^2, where S is
-   the integral of C = ca^2 - <ca^2>. */
+/* The indices of the polynomials for phases near a zero of sa. The law of order three needs these polynomials in
+   addition to the polynomials of oscillators/ripple.h. CA6 gives the integral over the phase of ca^6. SQUARE gives the
+   integral of S^2, where S is the integral of C = ca^2 - <ca^2>. */
 enum { VMI_VDP_CA6, VMI_VDP_SQUARE, VMI_VDP_TURN_FUNCTIONS };
 
 /* The indices of the polynomials for phases near a zero of ca. VMI_VDP_CA6 gives the integral of ca^6. The polynomials
-   listed here give three parts of the integral of S^2: S is I - <ca^2> d with the integral I of ca^2 and the phase d
-   since the zero, so S^2 has terms in d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
+   listed here give three parts of the integral of S^2. Let I be the integral of ca^2, and d the phase since the zero.
+   Then S is I - <ca^2> d, so that S^2 has terms in d^2 (PHASE2), I d (PRODUCT) and I^2 (INTEGRAL2). */
 enum { VMI_VDP_PHASE2 = 1, VMI_VDP_PRODUCT, VMI_VDP_INTEGRAL2, VMI_VDP_ZERO_FUNCTIONS };
 
 /* Constants and polynomials of the law of order three for one alpha, prepared by vmi_vdp_ripple_init. F, K2, K3, K1, KQ
@@ -87,8 +88,8 @@ VM_API void vmi_vdp_binomial(vm_real exponent, vm_real *series)
     }
 }
 
-/* Turns a power series in w, for w from 0 to 1/2, into a polynomial in 4 w - 1. It differs from the series only by
-   about rounding errors. */
+/* Turns a power series in w, for w from 0 to 1/2, into a polynomial in 4 w - 1. The polynomial differs from the series
+   only by about the size of rounding errors. */
 VM_API void vmi_vdp_economise(const vm_real *series, vm_real *polynomial)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -221,8 +222,8 @@ VM_API void vmi_vdp_find_constants(vmi_vdp_ripple *v, const vmi_ripple *r)
     v->constant = g / 2 * Z + H - (alpha + 3) * n / (2 * (alpha + 7)) * (VM_C(1.) / 6 + 1 / (alpha + 15)) * m6;
 }
 
-/* Computes *v for the alpha of *r, whose polynomials must be ready. For the mean of S^2 it integrates S^2 over a
-   quarter of the period, which it splits at the phase where sa^2 = 1/2. */
+/* Computes *v for the alpha of *r, whose polynomials must be ready. For the mean of S^2 the function integrates S^2
+   over a quarter of the period, in two parts that meet where sa^2 = 1/2. */
 VM_API void vmi_vdp_ripple_init(vmi_vdp_ripple *v, const vmi_ripple *r)
 {
     const vm_real half = VM_C(0.5), sa = VM_SQRT(half), ca = vmi_pow_checked(half, 1 / (r->alpha + 1));

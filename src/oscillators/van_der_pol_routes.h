@@ -1,8 +1,8 @@
 /* oscillators/van_der_pol_routes.h - the motion x(t) of a Van der Pol oscillator, and its limit cycle to second order
 
-   Five methods, called routes, lead from x and x' at t = 0 to x and x' at any t. Three of them are the law of
-   oscillators/van_der_pol_expansion.h, cut off after order one, two or three; the other two are numerical integrations.
-   The names of the routes are those of oscillators/problem.h:
+   Five methods, called routes, lead from x and x' at t = 0 to x and x' at any t. Three routes are the law of
+   oscillators/van_der_pol_expansion.h, cut off after order one, two or three. The other two routes are numerical
+   integrations. The names of the routes are those of oscillators/problem.h:
      VM_ROUTE_ATEB           law of order one, with a start of order three; errors are O(epsilon)
      VM_ROUTE_ORDER2         law of order two; errors are O(epsilon^2)
      VM_ROUTE_ORDER3         the whole law, of order three; errors are O(epsilon^3)
@@ -56,10 +56,9 @@ VM_API int vmi_vdp_order_of(int route)
 
 /* Returns the estimated error of the route VM_ROUTE_ORDER3, and writes that of VM_ROUTE_ORDER2 to *second. Each
    estimate is the sum of the terms that the route leaves out, in the transformations at the start and at t and in the
-   mean motion. In the mean motion an error of ln J at the start causes an error of the phase that grows with the phase;
-   J is the quantity of oscillators/van_der_pol_expansion.h. The effects of fast changes of the mass and of rounding
-   errors are added. The estimates contain a factor of 2, which fits the errors that tests/test_van_der_pol_law.c
-   finds. */
+   mean motion. An error of ln J at the start causes an error of the mean phase that grows with the phase; J is the
+   quantity of oscillators/van_der_pol_expansion.h. The effects of fast changes of the mass and of rounding errors are
+   added. The estimates contain a factor of 2, which fits the errors that tests/test_van_der_pol_law.c finds. */
 VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_real *second)
 {
     const vmi_ripple *r = &p->osc.ripple;
@@ -104,7 +103,7 @@ VM_API int vmi_vdp_truncated(const vm_vdp_plan *p, int route, const vmi_vdp_mean
 }
 
 /* Computes the motion from the mean motion by the law of order three, cut off after the order 1, 2 or 3 of the route,
-   with an estimate of the error. For order 1 the estimate is the one for order 2 plus the difference between the
+   with an estimate of the error. For order 1 the estimate is the estimate for order 2, plus the difference between the
    motions by order 1 and by order 2. */
 VM_API int vmi_vdp_order_n(const vm_vdp_plan *p, int route, const vmi_vdp_mean *mean, vm_osc_motion *motion)
 {
@@ -149,10 +148,11 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
 /* Motion x(t), x'(t) of a Van der Pol oscillator by a given route, from a plan.
    t is in seconds, of either sign. `route` is VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION or
    VM_ROUTE_RK87. motion->error estimates the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
-   velocity at the amplitude A; it is infinite where the law of order three is not valid. The last two of these routes
-   integrate numerically and keep this error within the tolerance, where 0 means 1e-6 (float 1e-3); the first three do
-   not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are computed but the error of integration
-   is larger than the tolerance. After an error *motion is unchanged. The errors are
+   velocity at the amplitude A. This estimate is infinite where the law of order three is not valid. The last two of
+   these routes integrate numerically and keep this error within the tolerance; a tolerance of 0 means 1e-6 (float
+   1e-3). The first three routes do not use the tolerance. Returns VM_OK, or VM_TOLERANCE_MISSED where x and v are
+   computed but the error of integration is larger than the tolerance. After an error *motion is unchanged. The errors
+   are
      VM_BAD_ARGUMENT for null pointers or a route that is not one of these five,
      VM_NOT_FINITE for a number that is infinite or NaN, and for the first three routes where the amplitude becomes
        infinite before t,
@@ -231,8 +231,8 @@ VM_API int vm_vdp_within(const vm_vdp *v, vm_real x, vm_real x_rate, vm_real t, 
 typedef struct VM_TAG(vm_vdp_cycle) {
     vm_real largest_x; /* the largest position, m */
     vm_real period;    /* s */
-    vm_real epsilon;   /* the number feed/(m W), in powers of which largest_x and period are expanded; W is the rate of
-                          the phase */
+    vm_real epsilon;   /* the number feed/(m W), where W is the rate of the phase; largest_x and period are series in
+                          powers of epsilon */
     int stable;        /* 1 where motions close to the cycle tend to it, else 0 */
 } vm_vdp_cycle;
 

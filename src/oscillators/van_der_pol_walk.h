@@ -11,9 +11,9 @@
      A^2 = A_0^2 r/y,  y = 1 + 4/(alpha+3) A_0^2 integral of B r (-F - second order terms) dt,
      psi = psi_0 + integral of W (1 + second order terms) dt,
    where W is the rate of the phase, and the constant F and the terms of second order are those of
-   oscillators/van_der_pol_expansion.h. At the points of a table p' jumps, so that the mean motion jumps, too. Around
-   such a point the exact equations are integrated: from the last phase with sa = 0 or ca = 0 before the point to the
-   first such phase after the point.
+   oscillators/van_der_pol_expansion.h. At the points of a table p' jumps. Since E0 in the transformation contains p',
+   the mean motion jumps, too. Around such a point the exact equations are integrated: from the last phase with sa = 0
+   or ca = 0 before the point to the first such phase after the point.
        vm_vdp_plan plan;
        vmi_vdp_mean mean;
        int status = vm_vdp_plan_init(&plan, &vdp, VM_C(0.3), 0); // vdp is a vm_vdp; from rest at x = 0.3 m
@@ -52,15 +52,15 @@ typedef struct VM_TAG(vmi_vdp_mean) {
                                      laws are smooth */
     vmi_osc_slow now;             /* mass, stiffness and rates at t; valid only at the end of a walk, the integration
                                      along the laws */
-    vm_real J_error;              /* error of ln J by the terms that order two leaves out where the mean motion is
-                                     started; such an error grows or decays, and this is its value at t */
+    vm_real J_error;              /* error of ln J at t, caused by the terms that order two leaves out where the mean
+                                     motion is started; such an error grows or decays with time */
     vm_real psi_error;            /* size of the terms of psi that order two leaves out */
-    vm_real J_third, psi_third;   /* sizes of the terms of ln J and of psi that order three leaves out, as far as they
-                                     do not depend on c */
+    vm_real J_third, psi_third;   /* sizes of those terms of ln J and of psi that order three leaves out and that do not
+                                     depend on c */
     vm_real ratio;                /* where the mean motion was started, the largest value of (terms of one order)/(terms
                                      of the next lower order) */
     vmi_osc_mean fast;            /* its fields change, dropped, shortest and error describe fast changes of mass and
-                                     stiffness; the rest of its fields is not used */
+                                     stiffness; its other fields are not used */
 } vmi_vdp_mean;
 
 /* A plan: numbers that vm_vdp_plan_init computes once for a Van der Pol oscillator and its state at t = 0. Read the
@@ -99,9 +99,9 @@ VM_API vm_real vmi_vdp_nu(const vm_vdp_plan *p, vm_real rate_a, vm_real rate_p, 
     return (p->vdp.alpha - 1) * rate_p - rate_a - k_rate;
 }
 
-/* Returns the disturbances e, e1, Q0 and E0 of oscillators/van_der_pol_expansion.h. They follow from the mass, from nu
-   (see vmi_vdp_nu), from the rate p, from G0 = p^2 - a p - p', and from the amplitude exp(ln_A). W is the rate of the
-   phase at this amplitude. */
+/* Returns the disturbances e, e1, Q0 and E0 of oscillators/van_der_pol_expansion.h. The disturbances follow from the
+   mass, from nu (see vmi_vdp_nu), from the rate p, from G0 = p^2 - a p - p', and from the amplitude exp(ln_A). W is the
+   rate of the phase at this amplitude. */
 VM_API vmi_vdp_disturbance vmi_vdp_disturbance_of(const vm_vdp_plan *p, vm_real mass, vm_real nu, vm_real rate_p,
                                                   vm_real G0, vm_real ln_A, vm_real W)
 {
@@ -171,9 +171,9 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
 }
 
 /* Integrates the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts
-   the mean motion there. If `knots` is 1, it integrates to the first such phase after the next point of a table. `side`
-   is 1 forward, -1 backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not describe the motion, or
-   that a further table point lies before the end of this integration. */
+   the mean motion there. If `knots` is 1, the function integrates to the first phase of this kind after the next point
+   of a table. `side` is 1 forward, -1 backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not
+   describe the motion, or that a further table point lies before the end of this integration. */
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
@@ -240,9 +240,9 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
 
 /* Prepares a plan, by which the motion of a Van der Pol oscillator is computed at many times.
    x is the position, m, and x_rate the velocity, m/s, at t = 0. vm_vdp_plan_by_route and vm_vdp_plan_within use the
-   plan. The field `method` of *v must be valid, but the results do not depend on it, nor on the fields a1, a2 and a3.
-   The oscillator is copied; the tables of its laws and what ctx points to must exist as long as the plan is used.
-   Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
+   plan. The field `method` of *v must be valid, but the results do not depend on `method`, a1, a2 and a3. The
+   oscillator is copied; the tables of its laws and what ctx points to must exist as long as the plan is used. Errors
+   leave the plan untouched. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no
    constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a
    stiffness that is not positive at t = 0 or in a table, and VM_DOMAIN for alpha < 0, for a table whose times do not
    rise or do not contain t = 0, and where a user's function fails. */
@@ -413,7 +413,7 @@ VM_API int vmi_vdp_panel_of(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_r
 }
 
 /* Returns 1 if the last terms of a Legendre series of the phase rate are at most `limit` times the mean rate, else 0.
-   The rate may be negative where the law of order three is not valid. */
+   The limit is for absolute values, because the rate may be negative where the law of order three is not valid. */
 VM_API int vmi_vdp_rate_is_resolved(const vm_real *rate, vm_real limit)
 {
     return vmi_legendre_tail(rate) <= limit * VM_FABS(rate[0]);
@@ -534,7 +534,8 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     vmi_vdp_panel panel;
     vmi_osc_reduced state;
     int status = VM_OK;
-    /* If going back passes the previous table point, or t = 0, the two points are too close together. */
+    /* If the time to which the mean motion goes back lies before the previous table point, or before t = 0, the two
+       points are too close together. */
     if ((vm_real)side * (knot + back - mean->segment) < 0) return VM_NOT_INTEGRATED;
     if (back != 0) {
         status = vmi_vdp_panel_of(p, mean, back, &panel);

@@ -2,10 +2,10 @@
 
    The mean motion at t follows from integrals along the laws of mass and stiffness from 0 to t. vmi_osc_walk_to adds up
    these integrals over panels, which are short intervals of time (oscillators/panels.h), from one point of a table to
-   the next. At such a point the second derivatives of the laws jump, so that the mean motion jumps, too. This
-   integration, called the walk, also measures how large E_0 = G_0/W^2 and its derivatives are; the estimates of the
-   error need these numbers. E_0 measures how strongly the damping and the changes of mass and stiffness disturb the
-   motion (oscillators/expansion.h).
+   the next. At such a point the second derivatives of the laws jump. E_0 = G_0/W^2 contains these derivatives;
+   therefore the mean motion jumps, too. This integration, called the walk, also measures how large E_0 and its
+   derivatives are; the estimates of the error need these numbers. E_0 measures how strongly the damping and the changes
+   of mass and stiffness disturb the motion (oscillators/expansion.h).
        vmi_osc_mean mean;
        int status = vmi_osc_walk_to(&plan, 10, &mean); // plan is a vm_osc_plan; mean.psi, mean.inverse_mass, ...
    Tests: tests/test_slow_motion.c, tests/test_averaging.c, tests/test_ladder.c. */
@@ -26,8 +26,8 @@
 #include "ripple.h"
 #include "waves.h"
 
-/* The number of elements of the field `change`. They measure how large E_0 and its first six derivatives with respect
-   to the phase are; E_0 is explained at the top of this file. */
+/* The number of elements of the field `change`. The elements measure how large E_0 and its first six derivatives with
+   respect to the phase are; the top of this file explains E_0. */
 enum { VMI_WALK_ORDERS = 7 };
 
 /* The mean motion at one time t, and the numbers on which its errors depend. According to the adiabatic law, by which
@@ -311,10 +311,11 @@ VM_API void vmi_osc_add_knot_error(const vm_osc_plan *p, const vm_real *before, 
     }
 }
 
-/* Continues the mean motion beyond the time t of a table point. The second derivatives of mass and stiffness jump
-   there. The motion itself does not jump; therefore the mean motion jumps. The function computes the motion at t from
-   the mean motion before t, and from the motion at t the mean motion after t. The action at t is found by iteration
-   with vmi_expansion_J, whose terms go up to the full order; those of vmi_expansion_J_back end one order earlier. */
+/* Continues the mean motion beyond the time t of a table point. At this time the motion itself does not jump, but the
+   second derivatives of mass and stiffness do. The step from the motion to the mean motion contains these derivatives;
+   therefore the mean motion jumps. The function computes the motion at t from the mean motion before t, and from the
+   motion at t the mean motion after t. The action at t is found by iteration with vmi_expansion_J, because the terms of
+   vmi_expansion_J go up to the full order, while the terms of vmi_expansion_J_back end one order earlier. */
 VM_API int vmi_osc_walk_past_knot(const vm_osc_plan *p, vm_real t, int side, vmi_osc_mean *mean)
 {
     const vmi_ripple *r = &p->ripple;

@@ -1,12 +1,12 @@
 /* oscillators/waves.h - the periodic functions ca, cos and cn that describe a strongly nonlinear oscillator
 
    The motion of x'' + omega0^2 x|x|^(alpha-1) = 0 is x = A ca(psi), x' = -vmax(A) sa(psi) with the Ateb functions of
-   the phase psi (282), (283); A is the amplitude, vmax(A) the largest velocity. Two simpler waves with the same
-   amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A vmi_osc_wave describes one of
-   these three waves: the wave c of the position, the wave s of the velocity, and the factors turn, speed, gain_A and
-   gain_theta. Each wave has an angle of its own, the argument of ca, cos or cn. While psi grows by 1, this angle grows
-   by `turn`, which is 1 for ca. A small force F on the mass m adds a slow part theta to the angle. The averaged
-   equations are then
+   the phase psi, (282) and (283) of the dissertation; A is the amplitude, vmax(A) the largest velocity. Two simpler
+   waves with the same amplitude and period approximate ca: cos (291), (329) and Jacobi's cn (297), (370). A
+   vmi_osc_wave describes one of these three waves: the wave c of the position, the wave s of the velocity, and the
+   factors turn, speed, gain_A and gain_theta. Each wave has an angle of its own, the argument of ca, cos or cn. While
+   psi grows by 1, this angle grows by `turn`, which is 1 for ca. A small force F on the mass m adds a slow part theta
+   to the angle. The averaged equations are then
      A'/A = -q/(alpha+3) - gain_A <F s>/(m V),   theta' = -gain_theta <F c>/(m V),   V = speed vmax(A),
    where <> is the mean over a period, and q the rate at which damping and slow changes of stiffness and mass change the
    motion. To add another wave, write a constructor and a function that evaluates the wave.
@@ -114,7 +114,7 @@ VM_API void vmi_osc_cn_at(const vmi_osc_wave *w, vm_real psi, vm_real *c, vm_rea
 }
 
 /* Estimates the error of cn in place of ca. The estimate is the difference between the means of cn^2 and of ca^2, times
-   a factor that is fitted to the largest errors of cn. The difference is 0 where cn is exact. */
+   a factor that fits the largest errors of cn. This difference is 0 where cn is exact. */
 VM_API vm_real vmi_osc_cn_error(const vmi_osc_wave *w, vm_real mean_ca2)
 {
     return VM_FABS(w->mean_c2 - mean_ca2) * (VM_C(2.7) + w->alpha / 2);
@@ -151,8 +151,8 @@ VM_API vm_real vmi_osc_wave_error(const vmi_osc_wave *w, vm_real mean_ca2)
 }
 
 /* Writes to *x_error the largest difference between the wave c and ca, and to *v_error the largest difference between
-   w->speed s and sa. Both are found from points in a quarter of the period, which are densest near x = 0. The argument
-   `pi` is Pi_alpha, half the period of ca. */
+   w->speed s and sa. The function compares the waves at 257 points of a quarter of the period, which are densest near x
+   = 0. The argument `pi` is Pi_alpha, half the period of ca. */
 VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real *x_error, vm_real *v_error)
 {
     const int points = 256;
