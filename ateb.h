@@ -176,8 +176,8 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
-   library that are used: sqrt, fabs, floor, copysign.
+   results, and the linker if a program has files in float and in double. It names the four functions of the C library
+   that the kit uses: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -213,9 +213,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
-   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
-   its own files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is written so on purpose, such as
+   casts that C and C++ both accept and comparisons with exact numbers. A project that turns these warnings on gets them
+   for its own files only. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -278,10 +278,10 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
-   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
-   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
-   have the same value; with clang this would refuse equal values too under -flto. */
+/* A struct in float and the same struct in double differ in size. A linker of C programs does not notice if a file in
+   float passes such a struct to a file in double. Therefore each file marks its precision here, and the linker refuses
+   files of both precisions, unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is a symbol
+   whose value must be equal in all files. With clang there is no mark: -flto would refuse equal values too. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -423,11 +423,10 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #endif
 /* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
-   Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
-   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
-   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
-   exist.
+   Some options of compilers and some modes of processors change the results of floating-point arithmetic. If a macro of
+   the compiler shows such an option, the headers do not compile. vm_self_check() finds the other options and modes when
+   the program runs. It computes numbers that show whether sums are computed in the order in which they are written,
+   whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -467,7 +466,7 @@ VM_API int vmi_divides(vm_real one)
 }
 
 /* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
-   the middle between two neighbours must be rounded to the one whose last bit is 0. */
+   the middle between two neighbouring numbers must be rounded to the number whose last bit is 0. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -486,9 +485,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results are wrong.
-   This happens, for example, with options of clang that its macros do not show, with another rounding mode, or where
-   the processor takes subnormal numbers for zero. Call it once, when the program starts. */
+/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results of the kit are
+   wrong. This happens, for example, with options of clang that its macros do not show, with another rounding mode, or
+   where the processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -618,9 +617,9 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 
 /* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
    lies between -q/2 and q/2 (or slightly outside by rounding), with an error below x 2^-(2p - 2), and writes j modulo 4
-   to *quarter; p is the number of bits of vm_real. One x has a larger error: if q.hi is a power of two and x is the
-   number just below q.hi/2, the result is -q.hi/2, and the error is x 2^-p. For x above 2^(p-1) q the digits of
-   x do not determine x - j q, and both results are 0. */
+   to *quarter; p is the number of bits of vm_real. For one x the error is larger: if q.hi is a power of two and x is
+   the number just below q.hi/2, the result is -q.hi/2 with an error of x 2^-p. For x above 2^(p-1) q the digits of x do
+   not determine x - j q, and both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -674,8 +673,8 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on such numbers
-   has a relative error below 2^-(3p - 4). */
+/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on these
+   numbers has a relative error below 2^-(3p - 4); p is 53 or 24. */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
@@ -731,8 +730,8 @@ VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* Returns the square root of a. It starts as the root of the first word; then two steps of Newton's method add a word
-   each. */
+/* Returns the square root of a. The start value is the root of the first word. Each of two steps of Newton's method
+   adds a word. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -830,7 +829,7 @@ VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 
    sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277) and B is the complete beta
    function. Pi_alpha is 2 for alpha = 0 and pi for alpha = 1. ateb_pi returns Pi_alpha; the internal functions return a
-   quarter of the period, Pi_alpha/2, in as many words as the reduction of an argument needs.
+   quarter of the period, Pi_alpha/2, in two or three words, as the reduction of an argument needs them.
 
        vm_real period = 2 * ateb_pi(3);
 
@@ -843,9 +842,9 @@ VM_API vm_real vmi_sum_of_products(vm_real a, vm_real b, vm_real c, vm_real d)
 
 /* Returns coefficient i of a polynomial in t = 2q - 1, which approximates (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
-   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the previous coefficient. A
-   coefficient has up to three words; which_word = 0 selects the largest. Words that are too small to change the result
-   are 0. */
+   The polynomial is exact at Chebyshev's points. From the fourth coefficient on, each is less than 1/8 of the previous
+   one. A coefficient has up to three words; which_word = 0 selects the largest word. Words that are too small to change
+   the result are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -899,8 +898,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
 /* Returns the polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small
-   that one word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
-   (vmi_fast_two_sum) is enough for the high words. */
+   that one word is enough. No coefficient has a smaller binary exponent than the sum of the terms after it, so that
+   Dekker's faster sum (vmi_fast_two_sum) is exact for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
@@ -930,8 +929,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 }
 
 /* Returns Pi_alpha/2 in three words, with a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float
-   3e4). It is the product n f(q)/2, where f is the polynomial of vmi_ateb_coefficient times 1/(i + q) for i = 1, 2, 3,
-   and 1/(i + q) is computed as n/(i n + 1). */
+   3e4). The result is n f(q)/2. The polynomial of vmi_ateb_coefficient, divided by 1 + q, 2 + q and 3 + q, is f(q). The
+   quotient 1/(i + q) is computed as n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -950,10 +949,10 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
     return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
 }
 
-/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). A row is for q = row/32. Its
-   columns are the low words of g and of the slope of g, then g and its slope, then the further coefficients of the
-   Taylor series of g about this q. The slope has only half of the digits of a vm_real, so that a product with it can be
-   exact. */
+/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). The row with the index `row` is
+   for q = row/32. The columns are, in this order: the low word of g, the low word of the slope of g, g, the slope, and
+   the further coefficients of the Taylor series of g about this q. The slope has only half of the digits of a vm_real;
+   its product with another number of half of the digits is exact. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,
@@ -1210,8 +1209,8 @@ typedef struct VM_TAG(vmi_ateb) {
     vm_two quarter; /* Pi_alpha/2, a quarter of the period */
 } vmi_ateb;
 
-/* Sets the fields n = alpha + 1 and q = 1/n, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q
-   are split into halves. */
+/* Sets the fields n = alpha + 1 and q = 1/n, and sets g and quarter to 0. The remainder 1 - n q is computed from the
+   halves of n and q: the product of the first halves is exact. */
 VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 {
     vm_real n_head, n_tail, q_head;
@@ -1226,7 +1225,7 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 }
 
 /* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced by multiples of
-   Pi_alpha/2, the absolute error of Pi_alpha is important. It is small for a large alpha too, since Pi_alpha is
+   Pi_alpha/2, the absolute error of Pi_alpha is important. This error is small for a large alpha too, since Pi_alpha is
    computed as the sum of n = alpha + 1 and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {
@@ -1450,8 +1449,8 @@ VM_API vm_two vmi_log(vm_real x)
 }
 
 /* Computes k, p, p_lo with e^(x + x_lo) = 2^k (1 + p + p_lo) and |p| < 0.42, and returns p. |x| must be at most 1500
-   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-57 (float 2^-28.3);
-   for |x| < 0.34, where k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
+   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-57 (float 2^-28.3). For
+   |x| < 0.34, k is 0, and p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
    r^3 E(r) with a polynomial E. The square of the first half of r's digits is computed exactly. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
@@ -1519,8 +1518,8 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 }
 
 /* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: if the angle is above pi/4 (steep), it
-   is replaced by pi/2 minus the angle; if the result is above pi/8 (middle), pi/4 is subtracted from it. The size of
-   the remaining angle is at most pi/8, and a formula with the polynomial A gives this angle. */
+   is replaced by pi/2 minus the angle; if the new angle is above pi/8 (middle), pi/4 is subtracted from it. The
+   remaining angle lies between -pi/8 and pi/8. It is z + z^3 A, where z is its tangent and A a polynomial in z^2. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1584,7 +1583,7 @@ VM_API vm_two vmi_two_log(vm_two x)
 }
 
 /* Computes the sine and the cosine of any angle x in radians. The function first subtracts from |x| the nearest
-   multiple of pi/2, taken in two words. Both results are NaN if x is infinite or NaN. */
+   multiple of pi/2, computed with pi/2 in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1627,7 +1626,7 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 /* Returns infinity if the condition holds, else 0. */
 VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
 
-/* Returns x^y for x >= 0 within 0.9 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
+/* Returns x^y for x >= 0 within 0.9 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity the result is that of
    the C library's pow. */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
@@ -1687,8 +1686,8 @@ VM_API vm_real vmi_log_ratio(vm_real x)
     return vmi_two_log(vmi_two_sum(1, x)).hi / x;
 }
 
-/* Returns (x - y)/x^2, where y must be ln(1 + x). For |x| >= 1/4 the result has two words, and its error comes from the
-   errors of x and y, which the subtraction amplifies. For smaller |x| the result has one word and is computed by the
+/* Returns (x - y)/x^2, where y must be ln(1 + x). For |x| >= 1/4 the result has two words; its error comes from the
+   errors of x and y, which the subtraction amplifies. For a smaller |x| the result has one word and is computed by the
    series of ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {
@@ -1709,8 +1708,8 @@ VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 /* ateb/powers.h - a logarithm and an exponential that are quicker but less accurate
 
    vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
-   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and
-   in ateb/plans.h.
+   of one or two ulp. ateb/inversion.h and ateb/plans.h use them where the error is later multiplied by a number below
+   about 1/2.
 
        vm_real y = vmi_ateb_exp(vmi_ateb_ln(3) / 2); // the square root of 3
 
@@ -1752,7 +1751,7 @@ VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
 
 /* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
    of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Older processors cannot convert
-   long integers in vector registers to floating point; therefore k is put together from its bits. */
+   long integers in vector registers to floating point; therefore the code makes k from the bits of the exponent. */
 VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 {
 #if VM_MANT_DIG > 24
@@ -1861,9 +1860,10 @@ VM_INLINE vm_real vmi_ateb_exp2(vm_real whole, vm_real rest)
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
    Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p. At
-   r = 0.55, w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
-   computed. The computed r (or d) differs little from the given one, and a Taylor series corrects v (or p) for the
-   difference. Therefore one continued fraction for 2F1 and one power are enough.
+   r = 0.55, w < 0.303 and p < 0.251. The code takes a rough v and computes the r that belongs to it by the first
+   equation. This r differs little from the given r, and a Taylor series in the difference gives sa and ca. The second
+   equation is used in the same way, with p and ln X instead of v and r. Therefore one continued fraction for 2F1 and
+   one power are enough.
 
    Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_INVERSION_H
@@ -1876,9 +1876,9 @@ VM_INLINE vm_real vmi_ateb_exp2(vm_real whole, vm_real rest)
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   For z < 0.303, two further levels of the fraction give at least 7 more bits. For large j, e_j tends to z/4, from
-   which the last Y is estimated. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w
-   and of the fraction in p. */
+   For z < 0.303, two further levels of the fraction give at least 7 more bits. For large j, e_j is nearly z/4; from
+   this value the last Y is estimated. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction
+   in w and of the fraction in p. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
 /* Computes Y_1 = P/Q of Gauss's continued fraction (see above) without a division. Y is the value of Y_(levels+1).
@@ -1993,8 +1993,8 @@ VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
 
 /* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where z
    = 2 r - (Pi_alpha - (alpha + 1)); this form is used for r < d and y > 0.71. The low word of y matters: for a large
-   alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need not be
-   scaled by 2^-k. */
+   alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that an inexact y.lo is
+   enough: it is multiplied by 2 instead of 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -2014,9 +2014,9 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
     return base;
 }
 
-/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed as a quotient of two
-   linear functions of X4 (a Pade approximant) and a correction. The correction contains X4^3 q (1 - q) and a polynomial
-   fitted by tests/gen/ateb_coefficients.py. */
+/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed as a product of two
+   factors: a quotient of two linear functions of X4 (a Pade approximant), and the correction 1 + X4^3 q (1 - q)
+   (lack0 + lack1 X4). The polynomials lack0 and lack1 in q are fitted by tests/gen/ateb_coefficients.py. */
 VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 {
     const vm_real k = 1 - q, m = (1 + q) * (2 + q);
@@ -2029,8 +2029,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 /* Computes sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The
    numbers q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
      v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
-   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
-   X are
+   Since y = u E, the wanted p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln X
+   are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
    The function starts from a guess of p. rho is ln X minus the ln X that belongs to the guess; a Taylor series in
    rho gives sa and ca. */
@@ -2113,10 +2113,10 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
    mispredict it half the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
-/* Returns the position of s >= 0 in the period, by the quickest of three ways.
+/* Returns the position of s >= 0 in the period, by the first of three methods that is accurate enough.
      1. An s <= (alpha + 1)/2 lies in the first quarter. Then r = s, which is known without Pi_alpha.
-     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
-        word is multiplied in two halves, whose products with the number of quarters are exact. The number of quarters
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. The high word
+        of c->quarter is split into halves, whose products with the number of quarters are exact. The number of quarters
         is computed from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
@@ -2150,8 +2150,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Sets the signs of sa and ca to those at s. Before the call, *sa and *ca are the values in the first quarter. |s| is
-   `quarter` quarters plus rest. The function works on the bits of the signs, without a branch. */
+/* Gives *sa and *ca the signs of sa and ca at s. Before the call, *sa and *ca are the values in the first quarter. |s|
+   is `quarter` quarters plus rest. The function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;
@@ -2279,12 +2279,12 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 /* Returns 1 if ateb_phase has a result for this alpha, else 0. */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
-/* The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30. The pair
-   need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for every
-   lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
-   sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is
-   returned with an error of at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for
-   alpha < 0, alpha > 1e30, NaN and infinite arguments. */
+/* The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30. The given
+   values need not satisfy sa^2 + |ca|^(alpha+1) = 1: for every lambda > 0 the pair sa lambda^((alpha+1)/2) and ca
+   lambda has the same phase as sa and ca. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found
+   with sa = -x' sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s,
+   ...), the result is s with an error of at most 8 ulp plus the change of s that errors of 6 ulp in sa and in ca make.
+   Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
@@ -2308,7 +2308,8 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 enum { VMI_ATEB_PHASE_TERMS = VM_MANT_DIG > 24 ? 54 : 26 };
 
 /* Returns the distance between the phase and a zero of sa, where u = |sa| and y = sa^2 <= 1/2. It is the integral from
-   0 to u of (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. Its error is below 4 ulp. */
+   0 to u of (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. The error of the result is below 4
+   ulp. */
 VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
 {
     const vm_real power = alpha / (alpha + 1);
@@ -2322,7 +2323,7 @@ VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
 }
 
 /* Returns the distance between the phase and a zero of ca, where x = |ca| and w = x^(alpha+1) <= 1/2. It is (alpha+1)/2
-   times the integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. Its error is below 4 ulp. */
+   times the integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. The error of the result is below 4 ulp. */
 VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
 {
     const vm_real n = alpha + 1;
@@ -2459,8 +2460,8 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 
    A plan contains all numbers that depend only on alpha: Pi_alpha/2 and polynomials for two parts of a quarter of the
    period. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
-   has the times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be
-   a constant in flash.
+   has the times). A plan of less accuracy has shorter polynomials and is quicker. A plan is plain data: it may be
+   copied, and it may be a constant in flash.
 
        ateb_plan p;
        vm_real sa, ca;
@@ -2471,10 +2472,10 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
    for larger r, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
-   The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
-   alpha = 0, 1/2, 1, ..., 7, tau is d d^alpha and is computed by products and a square root; for any other alpha, tau
-   is X and is computed by an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c,
-   tests/test_plans.sh. Example: examples/print_plan.c. */
+   The polynomials are Taylor series that follow from the differential equations (275). The series are economised: their
+   last terms are removed by Chebyshev polynomials. For alpha = 0, 1/2, 1, ..., 7, tau is d d^alpha and is computed by
+   products and a square root; for any other alpha, tau is X and is computed by an exponential. Source: Lanczos, Applied
+   Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example: examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 
@@ -2501,7 +2502,7 @@ typedef struct VM_TAG(ateb_plan) {
 #endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| < longest, the first two parts times the number of quarters are exact */
+    vm_real longest;          /* for |s| < longest, the number of quarters times quarter_parts[0] or [1] is exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -2531,8 +2532,8 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 }
 
 /* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1). r and d + d_lo are the distances of s from the zeros of sa and
-   ca; 2 q d is computed from the shorter one (vmi_ateb_base_of) and is written to *y. Where X would be subnormal, the
-   result is about the smallest normal number instead. */
+   ca; 2 q d is computed as in vmi_ateb_base_of and is written to *y. Where X would be subnormal, the result is about
+   the smallest normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);
@@ -2550,8 +2551,9 @@ VM_INLINE vm_real vmi_ateb_four_terms(const vm_real *c, vm_real x, vm_real xx)
 }
 
 /* Returns the polynomial c[0] + c[1] x + ..., computed with at least `length` terms. The coefficients beyond `length`
-   are 0. The terms after the first are grouped by four, so that the processor computes the groups at once. The first
-   and largest term is added last, so that only one rounding error of the size of the sum is made. */
+   are 0. The terms after the first are grouped by four, so that the processor can compute the groups at the same time.
+   The first and largest term is added last, so that only this addition makes a rounding error as large as half an ulp
+   of the sum. */
 VM_INLINE vm_real vmi_ateb_part_series(const vm_real *c, int length, vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -2592,8 +2594,8 @@ VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 }
 
 /* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
-   vmi_ateb_plan_is_close). `rest` is this difference, computed with two words of Pi_alpha/2. The result is computed
-   with three words, or in float is `rest`. */
+   vmi_ateb_plan_is_close). `rest` is this difference, computed with two words of Pi_alpha/2. In double the result is
+   computed with three words; in float it is `rest`. */
 VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
 {
 #if VM_MANT_DIG > 24
@@ -2608,9 +2610,9 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
 }
 
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
-   the error of a plan of full accuracy is at most 2 ulp (in float, next to a zero of sa or ca, 2 ulp plus the change
-   that a change of s by 1e-13 |s| makes); any other plan has the accuracy that was given to ateb_plan_init_to. The
-   results are NaN for infinite and NaN s. docs/cost.md has the time of a call. */
+   the error of a plan of full accuracy is at most 2 ulp. In float, next to a zero of sa or ca, it is at most 2 ulp plus
+   the change that an error of 1e-13 |s| in s makes. Any other plan has the accuracy that was given to
+   ateb_plan_init_to. The results are NaN for infinite and NaN s. docs/cost.md has the time of a call. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost, v, u;
@@ -2665,9 +2667,9 @@ enum { VMI_ATEB_BLOCK = 32 };
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* Intermediate results for the arguments s of a block. They are |s| minus the nearest multiple of the quarter period,
-   the bits of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding
-   errors, and base and tau of vmi_ateb_part_at */
+/* Intermediate results for the arguments s of a block. `quarter` has the bits of the number of quarters, and `rest` is
+   |s| minus the nearest multiple of the quarter period. r and d are the distances of s from the zeros of sa and ca,
+   with the rounding errors r_lo and d_lo. base, base_lo and tau are arguments of vmi_ateb_part_at. */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];
@@ -2768,10 +2770,10 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
     }
 }
 
-/* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
-   the calls, so that compilers can vectorise the loop over the arguments; the calls make the distinctions of
-   vmi_ateb_part_series. Arguments next to a zero of sa or ca are computed once more, one by one. The plan is copied:
-   the compiler then knows that the results do not change it. */
+/* Computes sa and ca of a block of arguments, each with |s| < p->longest. Each call of vmi_ateb_block_sums has a
+   constant number of terms, so that compilers can vectorise its loop over the arguments. For the same numbers of terms
+   vmi_ateb_part_series has separate cases. Arguments next to a zero of sa or ca are computed once more, one by one. The
+   function copies the plan, so that the compiler knows that writing the results does not change the plan. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;
@@ -2790,9 +2792,9 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
    the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the
-   results have the same bits. Arguments are computed in blocks of 32; those with |s| >= p->longest, and those that are
-   not finite, are computed one by one. Arrays are faster than single calls on processors with wide vector registers
-   (docs/cost.md has the times). */
+   results have the same bits as its results. Arguments are computed in blocks of 32. Arguments with |s| >= p->longest,
+   and those that are not finite, are computed one by one. Arrays are faster than single calls on processors with wide
+   vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;
@@ -2819,8 +2821,8 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
     }
 }
 
-/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
-   from w_0 ... w_(j-1) and b_1 ... b_j by Euler's recurrence. */
+/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. The function
+   computes it from w_0 ... w_(j-1) and b_1 ... b_j by Euler's recurrence. */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -2911,8 +2913,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets the fields that reduce s: the quarter period as a sum of parts, and `longest`, the s up to which the products of
-   the first two parts and a number of quarters are exact. */
+/* Sets the fields that reduce s: the quarter period as a sum of parts, and `longest`. For |s| < longest, the products
+   of the first two parts and the number of quarters are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
 #if VM_MANT_DIG > 24
@@ -2930,12 +2932,12 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 }
 
 /* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
-   allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
-   -1 if alpha < 0 or an argument is NaN or infinite; if it returns -1, the plan stays as it was. */
+   allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy has shorter polynomials and is quicker.
+   Returns 0, or -1 if alpha < 0 or an argument is NaN or infinite; if it returns -1, the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). The relative rounding error of X, times
-       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for a
+    /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). A relative rounding error of X causes an
+       error of sa that is X/(2 sa) times as large. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for a
        change-over at r = 0.73 it would be 0.5, and the error of sa would be 2.3 ulp. For a change-over beyond 0.92 the
        polynomials would have too few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);
@@ -2969,34 +2971,34 @@ VM_API int ateb_plan_init(ateb_plan *p, vm_real alpha) { return ateb_plan_init_t
 #endif
 /* ateb/beta.h - beta functions, and mean values of sa and ca
 
-   B(a, b) is the complete beta function, I_x(a, b) the regularised incomplete one, 0 <= I_x <= 1. Ateb functions are
-   inverses of incomplete beta functions, and their mean values are quotients of complete beta functions (316).
+   B(a, b) is the complete beta function, and I_x(a, b) the regularised incomplete beta function, which lies between 0
+   and 1. Ateb functions are inverses of incomplete beta functions, and their mean values are quotients of complete beta
+   functions (316).
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   In this file p stands for I_x(a, b), q for 1 - p, and y for 1 - x. The functions with the suffix _both also take and
-   return y and q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p
-   would not.
+   In this file p stands for I_x(a, b), q for 1 - p, and y for 1 - x. A function with the suffix _both takes y too and
+   returns q too: if x or p is close to 1, a computed difference 1 - x or 1 - p has lost digits.
 
-   Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
-   A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
-   Then Stirling's formula gives
+   Method: the functions are computed from logarithms in two words, by Stirling's formula, which needs numbers of at
+   least 6. Let A = a + i, where i is 6 for a < 6 and 0 for any other a. In the same way let B = b + j and
+   S = a + b + k, where j and k are 0 or 6, so that A, B and S are at least 6. Then Stirling's formula gives
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). Where
-   this sum is not large, no large terms cancel each other in it. The products (a)_i, (b)_j and (a+b)_k neither overflow
-   nor underflow, since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and
-   with an error of a few ulp.
+   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). If this
+   sum is not large, it contains no large terms that cancel each other. The products (a)_i, (b)_j and (a+b)_k neither
+   overflow nor underflow, since each of them has at most 6 factors. The function vmi_beta_density computes
+   x^a y^b/B(a, b) without this sum, in less time and with an error of a few ulp.
 
    Source of the continued fraction (vmi_beta_fraction): Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests:
    tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_H
 #define VARMASS_ATEB_BETA_H
 
-/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 6, from by_z = 1/z. z delta(z) is computed
-   by a polynomial in 1/z^2, which interpolates in Chebyshev's points with a relative error of 2^-60 (float 2^-34). It
-   has fewer terms than Stirling's series. */
+/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 6, from by_z = 1/z. The product z delta(z)
+   is computed by a polynomial in 1/z^2, which is equal to z delta(z) at Chebyshev's points. The polynomial has a
+   relative error of 2^-60 (float 2^-34) and fewer terms than Stirling's series. */
 VM_INLINE vm_real vmi_beta_stirling(vm_real by_z)
 {
     const vm_real w = by_z * by_z, ww = w * w;
@@ -3014,7 +3016,7 @@ VM_INLINE vm_real vmi_beta_stirling(vm_real by_z)
 }
 
 /* Returns (z)_i = z (z + 1) ... (z + i - 1), where i is 6 for z < 6 and 0 for any other z. *count becomes i, and *z
-   becomes z + i. With p = z (z + 5) the product is p (p + 4) (p + 6). */
+   becomes z + i. For i = 6 the product is computed as p (p + 4) (p + 6) with p = z (z + 5). */
 VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
 {
     vm_two product = {1, 0}, p;
@@ -3062,7 +3064,7 @@ VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
 }
 
 /* Returns 1 if a and b lie between 1e-4 and 1e5, else 0. Outside these limits the series and continued fractions would
-   need too many terms, and float would have no digits left. */
+   need too many terms, and in float the results would have no right digits. */
 VM_API int vmi_beta_is_in_domain(vm_real a, vm_real b)
 {
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
@@ -3078,8 +3080,8 @@ VM_API vm_real vmi_beta_limit(vm_real a, vm_real b)
 }
 
 /* The complete beta function B(a, b), for a and b from 1e-4 to 1e5.
-   The error is at most 1 ulp. If a or b is 0 or infinite, the result is the limit: infinity if one of them is 0 and
-   none is infinite, 0 if one is infinite and none is 0. Returns NaN for other a or b. Equation (261). */
+   The error is at most 1 ulp. If a or b is 0 or infinite, the result is the limit: infinity if a or b is 0 and neither
+   is infinite, and 0 if a or b is infinite and neither is 0. Returns NaN for other a or b. Equation (261). */
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
@@ -3089,9 +3091,9 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 }
 
 /* The logarithm of the complete beta function, ln B(a, b), for a and b from 1e-30 to 1e30.
-   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which is important
-   where B is close to 1 and ln B close to 0. If a or b is 0 or infinite, the result is the logarithm of the limit that
-   ateb_beta returns. Returns NaN for other a or b. */
+   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28). The second term is
+   important only where B is close to 1, so that ln B is close to 0. If a or b is 0 or infinite, the result is the
+   logarithm of the limit that ateb_beta returns. Returns NaN for other a or b. */
 VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
 {
     const vm_real least = VM_C(1e-30), largest = VM_C(1e30);
@@ -3102,17 +3104,17 @@ VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
     return vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0)).hi;
 }
 
-/* The numbers from which the gamma function of z > 0 is computed: Z = z + i, where i is 6 for z < 6 and 0 for other z,
-   and factor and delta:
+/* The numbers from which the gamma function of z > 0 is computed, and by_Z = 1/Z. Z is z + i, where i is 6 for z < 6
+   and 0 for any other z. The formulas are
      Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor, factor = (z)_i e^i/Z^i, delta = vmi_beta_stirling(1/Z) */
 typedef struct VM_TAG(vmi_beta_gamma) {
     vm_two Z;
     vm_real by_Z, factor, delta;
 } vmi_beta_gamma;
 
-/* Returns the numbers of vmi_beta_gamma for z. `rest` is the remainder of the division 1/Z; only its last product is
-   rounded. The function tests z < 6 without a branch, since the processor would mispredict this branch half the
-   time. */
+/* Returns the numbers of vmi_beta_gamma for z. `rest` is 1 - Z by_Z, the remainder of the division 1/Z; the two largest
+   of its four products are exact. The function tests z < 6 without a branch, since the processor would mispredict this
+   branch half the time. */
 VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
 {
     const vm_real e6 = VM_C(403.42879349273512), t = z.hi, shifted = (vm_real)(t < 6);
@@ -3131,9 +3133,8 @@ VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
     return g;
 }
 
-/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, the
-   difference that this rounding causes, corrects it. The processor can compute the logarithm and `lost` at the same
-   time. */
+/* Returns ln(x S/A) in two words. t is the rounded quotient x S/A, and `lost` is x S - t A, which the rounding causes.
+   The result is ln t, corrected by `lost`. The processor can compute ln t and `lost` at the same time. */
 VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *A)
 {
     const vm_real t = (x.hi * S.hi) * A->by_Z;
@@ -3143,9 +3144,9 @@ VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *
     return vmi_two(l.hi, l.lo + lost / above.hi);
 }
 
-/* Returns x^a y^b/B(a, b), where x + y = 1 in two words. The relative error is a few ulp, unless x or y is close to the
-   smallest number. Let A, B and S be the numbers Z of vmi_beta_gamma for a, b and a + b, and let the suffixes _a, _b,
-   _s stand for the other numbers of these three. Then the result is
+/* Returns x^a y^b/B(a, b) for numbers x and y in two words with the sum 1. The relative error is a few ulp, unless x or
+   y is close to the smallest number. Let A, B and S be the fields Z of vmi_beta_gamma for a, b and a + b. The fields
+   factor and delta have the suffixes _a, _b and _s for a, b and a + b. Then the result is
      (x S/A)^a (y S/B)^b sqrt(A B/(2 pi S)) factor_a factor_b/factor_s e^(delta_s - delta_a - delta_b). */
 VM_API vm_real vmi_beta_density(vm_two x, vm_two y, vm_real a, vm_real b)
 {
@@ -3166,8 +3167,8 @@ typedef struct VM_TAG(vmi_beta_levels) {
     vm_real x, y, a, b, excess;
 } vmi_beta_levels;
 
-/* Returns the numbers of the continued fraction. Where a and b are large, digits cancel in a y - b x; therefore this
-   difference is computed in two words from the smaller of x and y. */
+/* Sets the fields of vmi_beta_levels. Where a and b are large, digits cancel in the difference a y - b x; therefore it
+   is computed in two words, from the smaller of x and y. */
 VM_INLINE vmi_beta_levels vmi_beta_levels_of(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), vmi_smaller(x, y));
@@ -3191,9 +3192,9 @@ VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real befor
     *D = ((an * share) * ((an + l->b) * share)) * (next * (l->b - next));
 }
 
-/* Returns 1/f_0, where f_0 is the continued fraction of vmi_beta_levels with the levels 0 ... count. The fraction is
-   evaluated from level `count` down to level 0, beginning with a rough value of f_(count+1): an error of f_(n+1) hardly
-   changes f_n. */
+/* Returns 1/f_0, where f_0 is the continued fraction of vmi_beta_levels with the levels 0 ... count. The evaluation
+   begins with a rough value of f_(count+1) and goes down to level 0. A rough value is enough, since an error of f_(n+1)
+   hardly changes f_n. */
 VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 {
     vm_real f = (l->a + (vm_real)count) / 2, before, after = 1 / (l->a + 2 * (vm_real)count + 1), C, D;
@@ -3208,7 +3209,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
     return 1 / f;
 }
 
-/* The tolerance for which vmi_beta_fraction returns all digits */
+/* The tolerance for which the result of vmi_beta_fraction has all its digits */
 #define VMI_BETA_FULL (2 * VM_EPSILON)
 
 /* A tolerance below VMI_BETA_FULL, for which vmi_beta_fraction always evaluates the fraction from its last level */
@@ -3216,8 +3217,8 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 
 /* Returns 1/f_0 = I_x(a, b) B(a, b)/(x^a y^b) for x <= (a + 1)/(a + b + 2), with a relative error of about
    `tolerance`. The convergents P/Q of the fraction, which are its values after 1, 2, 3, ... levels, are computed two at
-   a time, until two of them agree. Rounding errors add up in P and Q; therefore a fraction of more than SAFE levels is
-   evaluated once more, from its last level. */
+   a time, until two of them agree within the tolerance. Rounding errors add up in P and Q; therefore a fraction of more
+   than SAFE levels is evaluated once more by vmi_beta_backward, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
     enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; otherwise about 250 levels are enough */
@@ -3248,9 +3249,9 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_
     return ratio;
 }
 
-/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. The result is a times the sum over n >= 1 of
+/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1, x <= 2/3 and b x < 2. The result is a times the sum over n >= 1 of
    (1 - b)_n/n! x^n/(a + n), where (z)_n = z (z + 1) ... (z + n - 1). Term n is below the larger of x^n and (b x)^n/n!,
-   and b x < 2. */
+   so that the terms soon become small. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
     const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
@@ -3306,8 +3307,8 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
 }
 
 /* Returns ln I_x(a, b) at the point `at`, for x <= (a + 1)/(a + b + 2), where ln_density = ln(x^a y^b/B(a, b)). Where a
-   is small, I_x is close to 1, and 1 - I_x must keep its digits. Therefore a series is used for a <= 1: it loses no
-   digits and has no factor y^b. */
+   is small, I_x is close to 1, and the caller also computes 1 - I_x from the result. Therefore the function uses
+   vmi_beta_series for a <= 1: this series loses no digits. It does not need the factor y^b of the density. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two ln_density)
 {
     vm_two f;
@@ -3319,8 +3320,8 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two l
 }
 
 /* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). For
-   x <= (a + 1)/(a + b + 2) *ln_p is computed directly, for a larger x *ln_q is. The other logarithm follows from
-   p + q = 1. */
+   x <= (a + 1)/(a + b + 2) *ln_p is computed directly, for a larger x *ln_q is computed directly. The other logarithm
+   follows from p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two ln_density, vm_two *ln_p,
                            vm_two *ln_q)
 {
@@ -3352,8 +3353,8 @@ VM_API void vmi_beta_logarithms(vm_two x, vm_two y, vm_real a, vm_real b, vm_two
     vmi_beta_tails(&at, a, b, ln_density, ln_p, ln_q);
 }
 
-/* Returns where the beta distribution has all its mass in the limit in which a or b is 0 or infinite: -1 means at
-   x = 0, 1 means at x = 1. Returns 0 for other a and b, and if there is no limit. */
+/* If a or b is 0 or infinite, the limit of I_x(a, b) jumps from 0 to 1 at one value of x. Returns -1 if this jump is at
+   x = 0, and 1 if it is at x = 1. Returns 0 for other a and b, and if there is no limit. */
 VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
 {
     const int at_0 = a == 0 || b == VM_INFINITY, at_1 = b == 0 || a == VM_INFINITY;
@@ -3361,12 +3362,12 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
     return at_1 - at_0;
 }
 
-/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from the smaller of x and
+/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. Both are computed from the smaller of x and
    y = 1 - x: give this number with all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30
    ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
-   or infinite, p is the limit of I_x(a, b): 1 for x > 0 if a is 0 or b infinite, and 0 for x < 1 if b is 0 or a
-   infinite. If both conditions hold, as for a = b = 0, there is no limit. The results are NaN for other a or b, if
-   there is no limit, if x or y is negative, and if x + y is not 1.
+   or infinite, p is the limit of I_x(a, b). This limit is 1 for x > 0 if a is 0 or b is infinite. It is 0 for x < 1 if
+   b is 0 or a is infinite. If both conditions hold, as for a = b = 0, there is no limit. The results are NaN for other
+   a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
    docs/cost.md has the time of a call. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
@@ -3437,15 +3438,15 @@ VM_API vm_real ateb_ln_beta_inc(vm_real x, vm_real a, vm_real b)
     return ln_p.hi;
 }
 
-/* Signs that ateb_mean_nm can put before the powers: that of sa, that of ca, or both (their sum) */
+/* The signs by which ateb_mean_nm multiplies the powers. For both signs the two constants are added. */
 enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
 
 /* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
    The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
-   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
-   mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
-   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for an argument outside
-   these limits. Equation (316). */
+   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is as often negative
+   as positive, so that the mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA).
+   The mean without signs is B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns
+   NaN for an argument outside these limits. Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
 {
     const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);
@@ -3475,13 +3476,14 @@ VM_API vm_real ateb_mean(vm_real alpha, vm_real p, vm_real q) { return ateb_mean
 
        vm_real x = ateb_beta_inc_inv(VM_C(0.3), VM_C(0.5), 2); // I_x(0.5, 2) = 0.3
 
-   Method: ln I_x(a, b) is a concave function of t = ln(x/y). Steps of third order find the t where it is ln p. The
-   first steps use rough values of ln I_x, the others logarithms in two words. Tests: tests/test_ateb.c. */
+   Method: ln I_x(a, b) is a concave function of t = ln(x/y). Steps of third order lead to the t where it is equal to
+   ln p. The first steps use rough values of ln I_x, the later steps logarithms in two words. Tests:
+   tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_INVERSE_H
 #define VARMASS_ATEB_BETA_INVERSE_H
 
-/* Returns the point with x/y = e^t, where y = 1 - x. ln x and ln y are computed from the rounded value of e^-|t|, so
-   that x + y = 1 in two words. */
+/* Returns the point with x/y = e^t, where y = 1 - x. ln x and ln y are computed from the rounded value of e^-|t|, from
+   which x and y are computed too. The two logarithms then belong to numbers whose sum is 1 in two words. */
 VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 {
     const vm_real size = VM_FABS(t), e = vmi_exp(-size, 0);
@@ -3504,8 +3506,9 @@ typedef struct VM_TAG(vmi_beta_slope) {
     vm_real value, slope, bend, noise;
 } vmi_beta_slope;
 
-/* Returns ln I_x(a, b) and its derivatives with respect to t, at t = ln(x/y). The error is about 1e-8 (float 1e-4), but
-   larger where I_x is computed as 1 - I_y(b, a) and is itself small. ln_B is ln B(a, b). */
+/* Returns the fields of vmi_beta_slope at t = ln(x/y). ln_B is ln B(a, b). For x <= (a + 1)/(a + b + 2) the error of
+   ln I_x is about 1e-8 (float 1e-4). For a larger x, I_x is computed as 1 - I_y(b, a), and the error of ln I_x is about
+   1e-8/I_x (float 1e-4/I_x). */
 VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real tolerance = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-4), least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -3535,17 +3538,17 @@ VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln
 }
 
 /* Returns the step of t that changes ln I_x by `rest`. ln I_x is approximated by the parabola with this slope and bend
-   (see vmi_beta_slope), or by its tangent where the parabola does not reach the wanted value. */
+   (see vmi_beta_slope). If it does not reach the wanted value, the step is twice that of its tangent. */
 VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 {
     const vm_real step = rest / slope;
     return 2 * step / (1 + VM_SQRT(vmi_larger(1 + 2 * step * bend, 0)));
 }
 
-/* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
-   the asymptote of ln I_x for t to -infinity equals ln p; this t is smaller than the solution. For a, b > 1 the
-   approximation by a normal distribution is returned instead, if it is larger (Abramowitz and Stegun 26.5.22, with the
-   quantile by 26.2.23). */
+/* Returns a start value of t = ln(x/y) for the solution of I_x(a, b) = p with p <= 1/2. For t to -infinity, ln I_x
+   tends to the straight line a t - ln(a B(a, b)). This line is equal to ln p at a t that is smaller than the solution,
+   and the function returns this t. For a, b > 1 it also computes the approximation by a normal distribution, and
+   returns the larger number (Abramowitz and Stegun 26.5.22, with the quantile by 26.2.23). */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real ln_a = vmi_ateb_ln(a), asymptote = (ln_p + ln_a + ln_B) / a;
@@ -3563,8 +3566,8 @@ VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
     return vmi_larger(asymptote, ln_a - vmi_ateb_ln(b) - 2 * w);
 }
 
-/* Moves t to within about 1e-2 of the solution of I_x(a, b) = p, or until the rough values of ln I_x are too inaccurate
-   to come nearer. */
+/* Returns a t within about 1e-2 of the solution of I_x(a, b) = p, from the start value t. The search ends earlier where
+   the rough values of ln I_x have errors above 0.01. */
 VM_API vm_real vmi_beta_approach(vm_real t, vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2); /* a shorter step ends the search */
@@ -3580,8 +3583,8 @@ VM_API vm_real vmi_beta_approach(vm_real t, vm_real ln_p, vm_real a, vm_real b, 
     return t;
 }
 
-/* Returns the point that lies a short step of t = ln(x/y) from `at`, by changing x, y, ln x and ln y directly, so that
-   none of them loses digits. The error is about the third power of the step. */
+/* Returns the point whose t = ln(x/y) is larger than that of `at` by a short step. The function changes x, y, ln x and
+   ln y directly, so that none of them loses digits. The error is about the third power of the step. */
 VM_API vmi_beta_point vmi_beta_moved(const vmi_beta_point *at, vm_real step)
 {
     const vm_real half = step / 2;
@@ -3595,7 +3598,7 @@ VM_API vmi_beta_point vmi_beta_moved(const vmi_beta_point *at, vm_real step)
 
 /* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). The
    method starts at vmi_beta_start and makes steps of third order by vmi_beta_step: the error after a step is about the
-   third power of the step. The first steps, those of vmi_beta_approach, use rough values of ln I_x. The others use
+   third power of the step. The first steps, those of vmi_beta_approach, use rough values of ln I_x. Later steps use
    logarithms in two words. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
@@ -3630,13 +3633,13 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
     return vmi_beta_mirrored(vmi_beta_invert(vmi_log(q), b, a));
 }
 
-/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from the smaller
-   of p and q = 1 - p: give this number with all its digits. ln x is also right where x underflows. For a and b from
-   1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q
-   makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
-   infinite, x is the limit: 0 for p < 1 if a is 0 or b infinite, and 1 for p > 0 if b is 0 or a infinite. If both
-   conditions hold, there is no limit. The results are NaN for other a or b, if there is no limit, if p or q is
-   negative, and if p + q is not 1.
+/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. All three are computed from the
+   smaller of p and q = 1 - p: give this number with all its digits. ln x is right even where x underflows. For a and b
+   from 1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the change that an error of one ulp in the
+   smaller of p and q makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower.
+   If a or b is 0 or infinite, x is the limit. This limit is 0 for p < 1 if a is 0 or b is infinite. It is 1 for p > 0
+   if b is 0 or a is infinite. If both conditions hold, there is no limit. The results are NaN for other a or b, if
+   there is no limit, if p or q is negative, and if p + q is not 1.
    docs/cost.md has the time of a call. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)
@@ -3695,8 +3698,8 @@ VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
 /* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). B_(1/2) is the incomplete beta
-   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the previous term, so that 2
-   VM_MANT_DIG terms are enough for two words. */
+   function at x = 1/2 (not regularised). 2F1 is a power series, in which each term is at most half of the previous
+   term, so that 2 VM_MANT_DIG terms are enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
     const vm_two one = {1, 0}, c = vmi_two_plus(a, b);
@@ -3712,8 +3715,8 @@ VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 
 /* Returns Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), with a relative error of 2^-102 (float 2^-44); the
    logarithms of ateb/beta.h would give only 2^-64. Pi(n, m) is B_(1/2)(a, b) + B_(1/2)(b, a). vmi_ateb_half_beta
-   returns each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which comes from its power
-   series. */
+   returns each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which is computed by the power
+   series of e^y. */
 VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 {
     enum { TERMS = VM_MANT_DIG > 24 ? 32 : 18 };

@@ -188,8 +188,8 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
-   library that are used: sqrt, fabs, floor, copysign.
+   results, and the linker if a program has files in float and in double. It names the four functions of the C library
+   that the kit uses: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -225,9 +225,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
-   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
-   its own files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is written so on purpose, such as
+   casts that C and C++ both accept and comparisons with exact numbers. A project that turns these warnings on gets them
+   for its own files only. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -290,10 +290,10 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
-   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
-   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
-   have the same value; with clang this would refuse equal values too under -flto. */
+/* A struct in float and the same struct in double differ in size. A linker of C programs does not notice if a file in
+   float passes such a struct to a file in double. Therefore each file marks its precision here, and the linker refuses
+   files of both precisions, unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is a symbol
+   whose value must be equal in all files. With clang there is no mark: -flto would refuse equal values too. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -435,11 +435,10 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #endif
 /* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
-   Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
-   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
-   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
-   exist.
+   Some options of compilers and some modes of processors change the results of floating-point arithmetic. If a macro of
+   the compiler shows such an option, the headers do not compile. vm_self_check() finds the other options and modes when
+   the program runs. It computes numbers that show whether sums are computed in the order in which they are written,
+   whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -479,7 +478,7 @@ VM_API int vmi_divides(vm_real one)
 }
 
 /* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
-   the middle between two neighbours must be rounded to the one whose last bit is 0. */
+   the middle between two neighbouring numbers must be rounded to the number whose last bit is 0. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -498,9 +497,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results are wrong.
-   This happens, for example, with options of clang that its macros do not show, with another rounding mode, or where
-   the processor takes subnormal numbers for zero. Call it once, when the program starts. */
+/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results of the kit are
+   wrong. This happens, for example, with options of clang that its macros do not show, with another rounding mode, or
+   where the processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;

@@ -212,8 +212,8 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
-   library that are used: sqrt, fabs, floor, copysign.
+   results, and the linker if a program has files in float and in double. It names the four functions of the C library
+   that the kit uses: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -249,9 +249,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
-   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
-   its own files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is written so on purpose, such as
+   casts that C and C++ both accept and comparisons with exact numbers. A project that turns these warnings on gets them
+   for its own files only. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -314,10 +314,10 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
-   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
-   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
-   have the same value; with clang this would refuse equal values too under -flto. */
+/* A struct in float and the same struct in double differ in size. A linker of C programs does not notice if a file in
+   float passes such a struct to a file in double. Therefore each file marks its precision here, and the linker refuses
+   files of both precisions, unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is a symbol
+   whose value must be equal in all files. With clang there is no mark: -flto would refuse equal values too. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT
@@ -459,11 +459,10 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #endif
 /* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
-   Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
-   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
-   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
-   exist.
+   Some options of compilers and some modes of processors change the results of floating-point arithmetic. If a macro of
+   the compiler shows such an option, the headers do not compile. vm_self_check() finds the other options and modes when
+   the program runs. It computes numbers that show whether sums are computed in the order in which they are written,
+   whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -503,7 +502,7 @@ VM_API int vmi_divides(vm_real one)
 }
 
 /* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
-   the middle between two neighbours must be rounded to the one whose last bit is 0. */
+   the middle between two neighbouring numbers must be rounded to the number whose last bit is 0. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -522,9 +521,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results are wrong.
-   This happens, for example, with options of clang that its macros do not show, with another rounding mode, or where
-   the processor takes subnormal numbers for zero. Call it once, when the program starts. */
+/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results of the kit are
+   wrong. This happens, for example, with options of clang that its macros do not show, with another rounding mode, or
+   where the processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;
@@ -654,9 +653,9 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 
 /* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
    lies between -q/2 and q/2 (or slightly outside by rounding), with an error below x 2^-(2p - 2), and writes j modulo 4
-   to *quarter; p is the number of bits of vm_real. One x has a larger error: if q.hi is a power of two and x is the
-   number just below q.hi/2, the result is -q.hi/2, and the error is x 2^-p. For x above 2^(p-1) q the digits of
-   x do not determine x - j q, and both results are 0. */
+   to *quarter; p is the number of bits of vm_real. For one x the error is larger: if q.hi is a power of two and x is
+   the number just below q.hi/2, the result is -q.hi/2 with an error of x 2^-p. For x above 2^(p-1) q the digits of x do
+   not determine x - j q, and both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -710,8 +709,8 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on such numbers
-   has a relative error below 2^-(3p - 4). */
+/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on these
+   numbers has a relative error below 2^-(3p - 4); p is 53 or 24. */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
@@ -767,8 +766,8 @@ VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* Returns the square root of a. It starts as the root of the first word; then two steps of Newton's method add a word
-   each. */
+/* Returns the square root of a. The start value is the root of the first word. Each of two steps of Newton's method
+   adds a word. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);
@@ -1001,8 +1000,8 @@ VM_API vm_two vmi_log(vm_real x)
 }
 
 /* Computes k, p, p_lo with e^(x + x_lo) = 2^k (1 + p + p_lo) and |p| < 0.42, and returns p. |x| must be at most 1500
-   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-57 (float 2^-28.3);
-   for |x| < 0.34, where k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
+   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-57 (float 2^-28.3). For
+   |x| < 0.34, k is 0, and p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
    r^3 E(r) with a polynomial E. The square of the first half of r's digits is computed exactly. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
@@ -1070,8 +1069,8 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 }
 
 /* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: if the angle is above pi/4 (steep), it
-   is replaced by pi/2 minus the angle; if the result is above pi/8 (middle), pi/4 is subtracted from it. The size of
-   the remaining angle is at most pi/8, and a formula with the polynomial A gives this angle. */
+   is replaced by pi/2 minus the angle; if the new angle is above pi/8 (middle), pi/4 is subtracted from it. The
+   remaining angle lies between -pi/8 and pi/8. It is z + z^3 A, where z is its tangent and A a polynomial in z^2. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -1135,7 +1134,7 @@ VM_API vm_two vmi_two_log(vm_two x)
 }
 
 /* Computes the sine and the cosine of any angle x in radians. The function first subtracts from |x| the nearest
-   multiple of pi/2, taken in two words. Both results are NaN if x is infinite or NaN. */
+   multiple of pi/2, computed with pi/2 in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();

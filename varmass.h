@@ -719,16 +719,16 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Returns the rank of an error. Of two errors, the one with the smaller rank is reported. The order is that of the
-   numbers -1, -2, -3, ..., but VM_BAD_STIFFNESS stands directly after VM_BAD_MASS, as at the top of base/status.h. */
+/* Returns the rank of an error. Of two errors, the one with the smaller rank is reported. Errors rank in the order -1,
+   -2, -3, ..., except that VM_BAD_STIFFNESS ranks directly after VM_BAD_MASS, as at the top of base/status.h. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
     return 2 * -status;
 }
 
-/* Of two statuses, returns the one that takes precedence: an error before VM_OK, and of two errors the one that stands
-   first in the order of vmi_error_rank. */
+/* Returns one of two statuses: the error if the other status is VM_OK, and of two errors the one with the smaller
+   vmi_error_rank. */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;
@@ -767,7 +767,7 @@ VM_API void vmi_eliminate(int n, int k, vm_real *a)
     }
 }
 
-/* Changes the right sides b in the way in which vmi_eliminate, which must come first, has changed the left sides. */
+/* Changes the right sides b as vmi_eliminate has changed the left sides. Call vmi_eliminate before this function. */
 VM_API void vmi_eliminate_right(int n, int k, const vm_real *a, vm_real *b)
 {
     int i;
@@ -814,8 +814,8 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
    become the decomposition. The function first divides row i and column i by scale[i], so that the diagonal is 1;
    `scale` becomes the array of these n numbers. The units of the coordinates then do not matter, and the condition
    number is nearly the least that scaling can give (van der Sluis 1969). Rows need not be exchanged. Returns
-   VM_SINGULAR if an entry of the diagonal is not positive or a pivot is not above 4 n eps, which happens for every
-   matrix that is not positive definite, and VM_OK otherwise. */
+   VM_SINGULAR if an entry of the diagonal is not positive or a pivot is not above 4 n eps, and VM_OK otherwise. Every
+   matrix that is not positive definite gives VM_SINGULAR. */
 VM_API int vmi_decompose_mass(int n, vm_real *a, vm_real *scale)
 {
     int i, j, k;
@@ -861,9 +861,9 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 #define VARMASS_BASE_ZERO_H
 
 /* Returns a zero of f between a and b, as accurate as the type allows. fa = f(a) and fb = f(b) must differ in sign.
-   Method (Illinois): the next x is the zero of the secant through both ends of the interval. When one end of the
-   interval has not moved for two steps, the method halves the value of f that is stored for this end. Every fourth step
-   bisects the interval unless the last four steps have made it eight times shorter. */
+   Method (Illinois): the next x is the zero of the secant through both ends of the interval. If one end of the interval
+   has not moved for two steps, the method halves the value of f that is stored for this end. Every fourth step bisects
+   the interval unless the last four steps have made the interval eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
@@ -964,8 +964,8 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     return e;
 }
 
-/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle) is that
-   of about k rounding errors. */
+/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle) is about
+   k rounding errors. */
 VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
 {
     const vm_complex once = vmi_c_turn(angle);
@@ -1063,7 +1063,7 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
    two roots of a pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative size */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative distance */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -1096,7 +1096,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* start values on a circle, not symmetric about the real axis: symmetry would persist */
+    for (i = 0; i < m; i++) /* start values on a circle; values symmetric about the real axis would remain symmetric */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
@@ -1119,15 +1119,15 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
    Method: a start value is improved by the steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), which have order
-   four: the error after a step is proportional to the fourth power of the error before it. A start value with an error
-   of at most 2 % needs two steps, one with an error of at most 1e-4 needs one step. The residual ln(x/w) - w is
-   computed in two words, so that the final error is little more than one rounding error.
+   four. This means that the error after a step is proportional to the fourth power of the error before it. A start
+   value needs two steps if its error is at most 2 %, and one step if its error is at most 1e-4. The residual
+   ln(x/w) - w is computed in two words, so that the final error is little more than one rounding error.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
 
-/* Returns the correction of w divided by w, by the method of Fritsch, Shafer and Crowley. The arguments are w1 = 1 + w
-   and the residual z = ln(x/w) - w. */
+/* Returns the relative correction of w, which is the correction divided by w, by the method of Fritsch, Shafer and
+   Crowley. The arguments are w1 = 1 + w and the residual z = ln(x/w) - w. */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
@@ -1135,7 +1135,7 @@ VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 }
 
 /* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W.
-   Two steps are enough where w is right to 2 %, and one where it is right to 1e-4. */
+   Two steps are enough if the error of w is at most 2 %, and one step if it is at most 1e-4. */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
 {
     int i;
@@ -1184,11 +1184,11 @@ VM_API vm_real vmi_lambert_rational(vm_real l)
     return above / below;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
-   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s; v is positive for W_-1 and negative for W_0. A value
-   of s between -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry,
-   Culligan-Hensley and Barry (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for
-   s < 0.4. */
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). The result is W_-1 if `lower` is 1. It is W_0 if `lower` is 0, for
+   x close to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s; v is positive for W_-1 and negative for W_0. A
+   value of s between -eps/2 and 0 is caused by rounding and means x = -1/e. The start value of v comes from a formula
+   by Barry, Culligan-Hensley and Barry (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s), which is good for
+   s < 0.4, for W_0. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
@@ -1234,8 +1234,8 @@ VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
-   as exact. The error is at most 1 ulp. Returns infinity for x = infinity, and NaN for x < -1/e. The number of the type
-   next to -1/e counts as -1/e and gives -1. */
+   as exact. The error is at most 1 ulp. Returns infinity for x = infinity, and NaN for x < -1/e. The vm_real that is
+   nearest to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_two l;
@@ -1249,7 +1249,7 @@ VM_API vm_real vm_lambert_w0(vm_real x)
 
 /* Lambert's W_-1(x), the lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and
    taken as exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and for x < -1/e. The
-   number of the type next to -1/e counts as -1/e and gives -1. */
+   vm_real that is nearest to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;

@@ -1,24 +1,24 @@
 /* ateb/beta.h - beta functions, and mean values of sa and ca
 
-   B(a, b) is the complete beta function, I_x(a, b) the regularised incomplete one, 0 <= I_x <= 1. Ateb functions are
-   inverses of incomplete beta functions, and their mean values are quotients of complete beta functions (316).
+   B(a, b) is the complete beta function, and I_x(a, b) the regularised incomplete beta function, which lies between 0
+   and 1. Ateb functions are inverses of incomplete beta functions, and their mean values are quotients of complete beta
+   functions (316).
 
        vm_real p = ateb_beta_inc(VM_C(0.3), VM_C(0.5), 2); // I_0.3(0.5, 2)
 
-   In this file p stands for I_x(a, b), q for 1 - p, and y for 1 - x. The functions with the suffix _both also take and
-   return y and q. Where x or p is close to 1, y and q have all their digits, while computed differences 1 - x and 1 - p
-   would not.
+   In this file p stands for I_x(a, b), q for 1 - p, and y for 1 - x. A function with the suffix _both takes y too and
+   returns q too: if x or p is close to 1, a computed difference 1 - x or 1 - p has lost digits.
 
-   Method: the functions are computed from logarithms in two words. Let i be 0 for a >= 6 and 6 for a < 6, so that
-   A = a + i is at least 6. In the same way j, which is 0 or 6, makes B = b + j, and k makes S = a + b + k at least 6.
-   Then Stirling's formula gives
+   Method: the functions are computed from logarithms in two words, by Stirling's formula, which needs numbers of at
+   least 6. Let A = a + i, where i is 6 for a < 6 and 0 for any other a. In the same way let B = b + j and
+   S = a + b + k, where j and k are 0 or 6, so that A, B and S are at least 6. Then Stirling's formula gives
      ln(x^a y^b/B(a, b)) = a ln x + b ln y + (a + k - j) ln S/A + (b + k - i) ln S/B
                            + (k - i - j + 1/2) ln(A B/S) + (i + j - k) - ln(2 pi)/2
                            + delta(S) - delta(A) - delta(B) + ln((a)_i (b)_j/(a+b)_k)
-   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). Where
-   this sum is not large, no large terms cancel each other in it. The products (a)_i, (b)_j and (a+b)_k neither overflow
-   nor underflow, since they have at most 6 factors. vmi_beta_density computes x^a y^b/B(a, b) itself, in less time and
-   with an error of a few ulp.
+   where delta is the remainder of Stirling's formula (vmi_beta_stirling) and (a)_i = a (a + 1) ... (a + i - 1). If this
+   sum is not large, it contains no large terms that cancel each other. The products (a)_i, (b)_j and (a+b)_k neither
+   overflow nor underflow, since each of them has at most 6 factors. The function vmi_beta_density computes
+   x^a y^b/B(a, b) without this sum, in less time and with an error of a few ulp.
 
    Source of the continued fraction (vmi_beta_fraction): Didonato and Morris, Algorithm 708, ACM TOMS 18 (1992). Tests:
    tests/test_ateb.c. */
@@ -32,9 +32,9 @@
 #include "../base/words.h"
 #include "powers.h"
 
-/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 6, from by_z = 1/z. z delta(z) is computed
-   by a polynomial in 1/z^2, which interpolates in Chebyshev's points with a relative error of 2^-60 (float 2^-34). It
-   has fewer terms than Stirling's series. */
+/* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 6, from by_z = 1/z. The product z delta(z)
+   is computed by a polynomial in 1/z^2, which is equal to z delta(z) at Chebyshev's points. The polynomial has a
+   relative error of 2^-60 (float 2^-34) and fewer terms than Stirling's series. */
 VM_INLINE vm_real vmi_beta_stirling(vm_real by_z)
 {
     const vm_real w = by_z * by_z, ww = w * w;
@@ -52,7 +52,7 @@ VM_INLINE vm_real vmi_beta_stirling(vm_real by_z)
 }
 
 /* Returns (z)_i = z (z + 1) ... (z + i - 1), where i is 6 for z < 6 and 0 for any other z. *count becomes i, and *z
-   becomes z + i. With p = z (z + 5) the product is p (p + 4) (p + 6). */
+   becomes z + i. For i = 6 the product is computed as p (p + 4) (p + 6) with p = z (z + 5). */
 VM_API vm_two vmi_beta_rise(vm_two *z, int *count)
 {
     vm_two product = {1, 0}, p;
@@ -100,7 +100,7 @@ VM_API vm_two vmi_beta_ln(vm_two a, vm_two b)
 }
 
 /* Returns 1 if a and b lie between 1e-4 and 1e5, else 0. Outside these limits the series and continued fractions would
-   need too many terms, and float would have no digits left. */
+   need too many terms, and in float the results would have no right digits. */
 VM_API int vmi_beta_is_in_domain(vm_real a, vm_real b)
 {
     return a >= VM_C(1e-4) && a <= VM_C(1e5) && b >= VM_C(1e-4) && b <= VM_C(1e5);
@@ -116,8 +116,8 @@ VM_API vm_real vmi_beta_limit(vm_real a, vm_real b)
 }
 
 /* The complete beta function B(a, b), for a and b from 1e-4 to 1e5.
-   The error is at most 1 ulp. If a or b is 0 or infinite, the result is the limit: infinity if one of them is 0 and
-   none is infinite, 0 if one is infinite and none is 0. Returns NaN for other a or b. Equation (261). */
+   The error is at most 1 ulp. If a or b is 0 or infinite, the result is the limit: infinity if a or b is 0 and neither
+   is infinite, and 0 if a or b is infinite and neither is 0. Returns NaN for other a or b. Equation (261). */
 VM_API vm_real ateb_beta(vm_real a, vm_real b)
 {
     vm_two l;
@@ -127,9 +127,9 @@ VM_API vm_real ateb_beta(vm_real a, vm_real b)
 }
 
 /* The logarithm of the complete beta function, ln B(a, b), for a and b from 1e-30 to 1e30.
-   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28), which is important
-   where B is close to 1 and ln B close to 0. If a or b is 0 or infinite, the result is the logarithm of the limit that
-   ateb_beta returns. Returns NaN for other a or b. */
+   B(a, b) itself may overflow or underflow. The error is at most 1 ulp plus 2^-57 (float 2^-28). The second term is
+   important only where B is close to 1, so that ln B is close to 0. If a or b is 0 or infinite, the result is the
+   logarithm of the limit that ateb_beta returns. Returns NaN for other a or b. */
 VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
 {
     const vm_real least = VM_C(1e-30), largest = VM_C(1e30);
@@ -140,17 +140,17 @@ VM_API vm_real ateb_ln_beta(vm_real a, vm_real b)
     return vmi_beta_ln(vmi_two(a, 0), vmi_two(b, 0)).hi;
 }
 
-/* The numbers from which the gamma function of z > 0 is computed: Z = z + i, where i is 6 for z < 6 and 0 for other z,
-   and factor and delta:
+/* The numbers from which the gamma function of z > 0 is computed, and by_Z = 1/Z. Z is z + i, where i is 6 for z < 6
+   and 0 for any other z. The formulas are
      Gamma(z) = sqrt(2 pi) Z^(z - 1/2) e^(delta - z)/factor, factor = (z)_i e^i/Z^i, delta = vmi_beta_stirling(1/Z) */
 typedef struct VM_TAG(vmi_beta_gamma) {
     vm_two Z;
     vm_real by_Z, factor, delta;
 } vmi_beta_gamma;
 
-/* Returns the numbers of vmi_beta_gamma for z. `rest` is the remainder of the division 1/Z; only its last product is
-   rounded. The function tests z < 6 without a branch, since the processor would mispredict this branch half the
-   time. */
+/* Returns the numbers of vmi_beta_gamma for z. `rest` is 1 - Z by_Z, the remainder of the division 1/Z; the two largest
+   of its four products are exact. The function tests z < 6 without a branch, since the processor would mispredict this
+   branch half the time. */
 VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
 {
     const vm_real e6 = VM_C(403.42879349273512), t = z.hi, shifted = (vm_real)(t < 6);
@@ -169,9 +169,8 @@ VM_INLINE vmi_beta_gamma vmi_beta_gamma_of(vm_two z)
     return g;
 }
 
-/* Returns ln(x S/A) in two words. First the logarithm of t, the rounded quotient, is computed; then `lost`, the
-   difference that this rounding causes, corrects it. The processor can compute the logarithm and `lost` at the same
-   time. */
+/* Returns ln(x S/A) in two words. t is the rounded quotient x S/A, and `lost` is x S - t A, which the rounding causes.
+   The result is ln t, corrected by `lost`. The processor can compute ln t and `lost` at the same time. */
 VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *A)
 {
     const vm_real t = (x.hi * S.hi) * A->by_Z;
@@ -181,9 +180,9 @@ VM_INLINE vm_two vmi_beta_ln_quotient(vm_two x, vm_two S, const vmi_beta_gamma *
     return vmi_two(l.hi, l.lo + lost / above.hi);
 }
 
-/* Returns x^a y^b/B(a, b), where x + y = 1 in two words. The relative error is a few ulp, unless x or y is close to the
-   smallest number. Let A, B and S be the numbers Z of vmi_beta_gamma for a, b and a + b, and let the suffixes _a, _b,
-   _s stand for the other numbers of these three. Then the result is
+/* Returns x^a y^b/B(a, b) for numbers x and y in two words with the sum 1. The relative error is a few ulp, unless x or
+   y is close to the smallest number. Let A, B and S be the fields Z of vmi_beta_gamma for a, b and a + b. The fields
+   factor and delta have the suffixes _a, _b and _s for a, b and a + b. Then the result is
      (x S/A)^a (y S/B)^b sqrt(A B/(2 pi S)) factor_a factor_b/factor_s e^(delta_s - delta_a - delta_b). */
 VM_API vm_real vmi_beta_density(vm_two x, vm_two y, vm_real a, vm_real b)
 {
@@ -204,8 +203,8 @@ typedef struct VM_TAG(vmi_beta_levels) {
     vm_real x, y, a, b, excess;
 } vmi_beta_levels;
 
-/* Returns the numbers of the continued fraction. Where a and b are large, digits cancel in a y - b x; therefore this
-   difference is computed in two words from the smaller of x and y. */
+/* Sets the fields of vmi_beta_levels. Where a and b are large, digits cancel in the difference a y - b x; therefore it
+   is computed in two words, from the smaller of x and y. */
 VM_INLINE vmi_beta_levels vmi_beta_levels_of(vm_real x, vm_real y, vm_real a, vm_real b)
 {
     const vm_two product = vmi_two_scaled(vmi_two_sum(a, b), vmi_smaller(x, y));
@@ -229,9 +228,9 @@ VM_INLINE void vmi_beta_level(const vmi_beta_levels *l, vm_real n, vm_real befor
     *D = ((an * share) * ((an + l->b) * share)) * (next * (l->b - next));
 }
 
-/* Returns 1/f_0, where f_0 is the continued fraction of vmi_beta_levels with the levels 0 ... count. The fraction is
-   evaluated from level `count` down to level 0, beginning with a rough value of f_(count+1): an error of f_(n+1) hardly
-   changes f_n. */
+/* Returns 1/f_0, where f_0 is the continued fraction of vmi_beta_levels with the levels 0 ... count. The evaluation
+   begins with a rough value of f_(count+1) and goes down to level 0. A rough value is enough, since an error of f_(n+1)
+   hardly changes f_n. */
 VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 {
     vm_real f = (l->a + (vm_real)count) / 2, before, after = 1 / (l->a + 2 * (vm_real)count + 1), C, D;
@@ -246,7 +245,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
     return 1 / f;
 }
 
-/* The tolerance for which vmi_beta_fraction returns all digits */
+/* The tolerance for which the result of vmi_beta_fraction has all its digits */
 #define VMI_BETA_FULL (2 * VM_EPSILON)
 
 /* A tolerance below VMI_BETA_FULL, for which vmi_beta_fraction always evaluates the fraction from its last level */
@@ -254,8 +253,8 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
 
 /* Returns 1/f_0 = I_x(a, b) B(a, b)/(x^a y^b) for x <= (a + 1)/(a + b + 2), with a relative error of about
    `tolerance`. The convergents P/Q of the fraction, which are its values after 1, 2, 3, ... levels, are computed two at
-   a time, until two of them agree. Rounding errors add up in P and Q; therefore a fraction of more than SAFE levels is
-   evaluated once more, from its last level. */
+   a time, until two of them agree within the tolerance. Rounding errors add up in P and Q; therefore a fraction of more
+   than SAFE levels is evaluated once more by vmi_beta_backward, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
     enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; otherwise about 250 levels are enough */
@@ -286,9 +285,9 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_
     return ratio;
 }
 
-/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1 and x <= 2/3. The result is a times the sum over n >= 1 of
+/* Returns I_x(a, b) a B(a, b)/x^a - 1 for a <= 1, x <= 2/3 and b x < 2. The result is a times the sum over n >= 1 of
    (1 - b)_n/n! x^n/(a + n), where (z)_n = z (z + 1) ... (z + n - 1). Term n is below the larger of x^n and (b x)^n/n!,
-   and b x < 2. */
+   so that the terms soon become small. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
     const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
@@ -344,8 +343,8 @@ VM_API vmi_beta_point vmi_beta_mirrored(vmi_beta_point at)
 }
 
 /* Returns ln I_x(a, b) at the point `at`, for x <= (a + 1)/(a + b + 2), where ln_density = ln(x^a y^b/B(a, b)). Where a
-   is small, I_x is close to 1, and 1 - I_x must keep its digits. Therefore a series is used for a <= 1: it loses no
-   digits and has no factor y^b. */
+   is small, I_x is close to 1, and the caller also computes 1 - I_x from the result. Therefore the function uses
+   vmi_beta_series for a <= 1: this series loses no digits. It does not need the factor y^b of the density. */
 VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two ln_density)
 {
     vm_two f;
@@ -357,8 +356,8 @@ VM_API vm_two vmi_beta_ln_tail(vmi_beta_point at, vm_real a, vm_real b, vm_two l
 }
 
 /* Computes *ln_p = ln I_x(a, b) and *ln_q = ln I_y(b, a), where y = 1 - x, from ln_density = ln(x^a y^b/B(a, b)). For
-   x <= (a + 1)/(a + b + 2) *ln_p is computed directly, for a larger x *ln_q is. The other logarithm follows from
-   p + q = 1. */
+   x <= (a + 1)/(a + b + 2) *ln_p is computed directly, for a larger x *ln_q is computed directly. The other logarithm
+   follows from p + q = 1. */
 VM_API void vmi_beta_tails(const vmi_beta_point *at, vm_real a, vm_real b, vm_two ln_density, vm_two *ln_p,
                            vm_two *ln_q)
 {
@@ -390,8 +389,8 @@ VM_API void vmi_beta_logarithms(vm_two x, vm_two y, vm_real a, vm_real b, vm_two
     vmi_beta_tails(&at, a, b, ln_density, ln_p, ln_q);
 }
 
-/* Returns where the beta distribution has all its mass in the limit in which a or b is 0 or infinite: -1 means at
-   x = 0, 1 means at x = 1. Returns 0 for other a and b, and if there is no limit. */
+/* If a or b is 0 or infinite, the limit of I_x(a, b) jumps from 0 to 1 at one value of x. Returns -1 if this jump is at
+   x = 0, and 1 if it is at x = 1. Returns 0 for other a and b, and if there is no limit. */
 VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
 {
     const int at_0 = a == 0 || b == VM_INFINITY, at_1 = b == 0 || a == VM_INFINITY;
@@ -399,12 +398,12 @@ VM_API int vmi_beta_limit_side(vm_real a, vm_real b)
     return at_1 - at_0;
 }
 
-/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. They are computed from the smaller of x and
+/* The regularised incomplete beta function p = I_x(a, b) and q = 1 - p. Both are computed from the smaller of x and
    y = 1 - x: give this number with all its digits. For a and b from 1e-3 to 1e4 the errors of p and q are at most 30
    ulp each. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0
-   or infinite, p is the limit of I_x(a, b): 1 for x > 0 if a is 0 or b infinite, and 0 for x < 1 if b is 0 or a
-   infinite. If both conditions hold, as for a = b = 0, there is no limit. The results are NaN for other a or b, if
-   there is no limit, if x or y is negative, and if x + y is not 1.
+   or infinite, p is the limit of I_x(a, b). This limit is 1 for x > 0 if a is 0 or b is infinite. It is 0 for x < 1 if
+   b is 0 or a is infinite. If both conditions hold, as for a = b = 0, there is no limit. The results are NaN for other
+   a or b, if there is no limit, if x or y is negative, and if x + y is not 1.
    docs/cost.md has the time of a call. DLMF 8.17, equation (273). */
 VM_API void ateb_beta_inc_both(vm_real x, vm_real y, vm_real a, vm_real b, vm_real *p, vm_real *q)
 {
@@ -475,15 +474,15 @@ VM_API vm_real ateb_ln_beta_inc(vm_real x, vm_real a, vm_real b)
     return ln_p.hi;
 }
 
-/* Signs that ateb_mean_nm can put before the powers: that of sa, that of ca, or both (their sum) */
+/* The signs by which ateb_mean_nm multiplies the powers. For both signs the two constants are added. */
 enum { ATEB_SIGN_OF_SA = 1, ATEB_SIGN_OF_CA = 2 };
 
 /* The mean of |sa(n, m, s)|^p |ca(m, n, s)|^q over a period, with or without the signs of sa and ca.
    The indices n and m of sa and ca lie between 0 and 1e30. The powers p and q are above -1 and at most 1e6. signs is 0,
-   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is odd, so that the
-   mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA). The mean without signs is
-   B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns NaN for an argument outside
-   these limits. Equation (316). */
+   ATEB_SIGN_OF_SA, ATEB_SIGN_OF_CA or their sum. A power with the sign of its base, such as sa^3, is as often negative
+   as positive, so that the mean is 0. For example, the mean of sa^2 ca^3 is ateb_mean_nm(n, m, 2, 3, ATEB_SIGN_OF_CA).
+   The mean without signs is B((p+1)/(n+1), (q+1)/(m+1))/B(1/(n+1), 1/(m+1)), with an error of at most 2 ulp. Returns
+   NaN for an argument outside these limits. Equation (316). */
 VM_API vm_real ateb_mean_nm(vm_real n, vm_real m, vm_real p, vm_real q, int signs)
 {
     const vm_real largest_index = VM_C(1e30), largest_power = VM_C(1e6);

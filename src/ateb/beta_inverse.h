@@ -4,8 +4,9 @@
 
        vm_real x = ateb_beta_inc_inv(VM_C(0.3), VM_C(0.5), 2); // I_x(0.5, 2) = 0.3
 
-   Method: ln I_x(a, b) is a concave function of t = ln(x/y). Steps of third order find the t where it is ln p. The
-   first steps use rough values of ln I_x, the others logarithms in two words. Tests: tests/test_ateb.c. */
+   Method: ln I_x(a, b) is a concave function of t = ln(x/y). Steps of third order lead to the t where it is equal to
+   ln p. The first steps use rough values of ln I_x, the later steps logarithms in two words. Tests:
+   tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_BETA_INVERSE_H
 #define VARMASS_ATEB_BETA_INVERSE_H
 
@@ -17,8 +18,8 @@
 #include "beta.h"
 #include "powers.h"
 
-/* Returns the point with x/y = e^t, where y = 1 - x. ln x and ln y are computed from the rounded value of e^-|t|, so
-   that x + y = 1 in two words. */
+/* Returns the point with x/y = e^t, where y = 1 - x. ln x and ln y are computed from the rounded value of e^-|t|, from
+   which x and y are computed too. The two logarithms then belong to numbers whose sum is 1 in two words. */
 VM_API vmi_beta_point vmi_beta_point_at(vm_real t)
 {
     const vm_real size = VM_FABS(t), e = vmi_exp(-size, 0);
@@ -41,8 +42,9 @@ typedef struct VM_TAG(vmi_beta_slope) {
     vm_real value, slope, bend, noise;
 } vmi_beta_slope;
 
-/* Returns ln I_x(a, b) and its derivatives with respect to t, at t = ln(x/y). The error is about 1e-8 (float 1e-4), but
-   larger where I_x is computed as 1 - I_y(b, a) and is itself small. ln_B is ln B(a, b). */
+/* Returns the fields of vmi_beta_slope at t = ln(x/y). ln_B is ln B(a, b). For x <= (a + 1)/(a + b + 2) the error of
+   ln I_x is about 1e-8 (float 1e-4). For a larger x, I_x is computed as 1 - I_y(b, a), and the error of ln I_x is about
+   1e-8/I_x (float 1e-4/I_x). */
 VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real tolerance = VM_MANT_DIG > 24 ? VM_C(1e-8) : VM_C(1e-4), least_ln = VM_C(-0.69) * VMI_BIAS;
@@ -72,17 +74,17 @@ VM_API vmi_beta_slope vmi_beta_rough(vm_real t, vm_real a, vm_real b, vm_real ln
 }
 
 /* Returns the step of t that changes ln I_x by `rest`. ln I_x is approximated by the parabola with this slope and bend
-   (see vmi_beta_slope), or by its tangent where the parabola does not reach the wanted value. */
+   (see vmi_beta_slope). If it does not reach the wanted value, the step is twice that of its tangent. */
 VM_API vm_real vmi_beta_step(vm_real rest, vm_real slope, vm_real bend)
 {
     const vm_real step = rest / slope;
     return 2 * step / (1 + VM_SQRT(vmi_larger(1 + 2 * step * bend, 0)));
 }
 
-/* Returns a value of t = ln(x/y) from which the solution of I_x(a, b) = p is sought, for p <= 1/2. It is the t where
-   the asymptote of ln I_x for t to -infinity equals ln p; this t is smaller than the solution. For a, b > 1 the
-   approximation by a normal distribution is returned instead, if it is larger (Abramowitz and Stegun 26.5.22, with the
-   quantile by 26.2.23). */
+/* Returns a start value of t = ln(x/y) for the solution of I_x(a, b) = p with p <= 1/2. For t to -infinity, ln I_x
+   tends to the straight line a t - ln(a B(a, b)). This line is equal to ln p at a t that is smaller than the solution,
+   and the function returns this t. For a, b > 1 it also computes the approximation by a normal distribution, and
+   returns the larger number (Abramowitz and Stegun 26.5.22, with the quantile by 26.2.23). */
 VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real ln_a = vmi_ateb_ln(a), asymptote = (ln_p + ln_a + ln_B) / a;
@@ -100,8 +102,8 @@ VM_API vm_real vmi_beta_start(vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
     return vmi_larger(asymptote, ln_a - vmi_ateb_ln(b) - 2 * w);
 }
 
-/* Moves t to within about 1e-2 of the solution of I_x(a, b) = p, or until the rough values of ln I_x are too inaccurate
-   to come nearer. */
+/* Returns a t within about 1e-2 of the solution of I_x(a, b) = p, from the start value t. The search ends earlier where
+   the rough values of ln I_x have errors above 0.01. */
 VM_API vm_real vmi_beta_approach(vm_real t, vm_real ln_p, vm_real a, vm_real b, vm_real ln_B)
 {
     const vm_real enough = VM_MANT_DIG > 24 ? VM_C(2e-3) : VM_C(2e-2); /* a shorter step ends the search */
@@ -117,8 +119,8 @@ VM_API vm_real vmi_beta_approach(vm_real t, vm_real ln_p, vm_real a, vm_real b, 
     return t;
 }
 
-/* Returns the point that lies a short step of t = ln(x/y) from `at`, by changing x, y, ln x and ln y directly, so that
-   none of them loses digits. The error is about the third power of the step. */
+/* Returns the point whose t = ln(x/y) is larger than that of `at` by a short step. The function changes x, y, ln x and
+   ln y directly, so that none of them loses digits. The error is about the third power of the step. */
 VM_API vmi_beta_point vmi_beta_moved(const vmi_beta_point *at, vm_real step)
 {
     const vm_real half = step / 2;
@@ -132,7 +134,7 @@ VM_API vmi_beta_point vmi_beta_moved(const vmi_beta_point *at, vm_real step)
 
 /* Returns the point where I_x(a, b) = p, from ln p, for p <= 1/2. ln I_x is a concave function of t = ln(x/y). The
    method starts at vmi_beta_start and makes steps of third order by vmi_beta_step: the error after a step is about the
-   third power of the step. The first steps, those of vmi_beta_approach, use rough values of ln I_x. The others use
+   third power of the step. The first steps, those of vmi_beta_approach, use rough values of ln I_x. Later steps use
    logarithms in two words. */
 VM_API vmi_beta_point vmi_beta_invert(vm_two ln_p, vm_real a, vm_real b)
 {
@@ -167,13 +169,13 @@ VM_API vmi_beta_point vmi_beta_invert_both(vm_real p, vm_real q, vm_real a, vm_r
     return vmi_beta_mirrored(vmi_beta_invert(vmi_log(q), b, a));
 }
 
-/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. They are computed from the smaller
-   of p and q = 1 - p: give this number with all its digits. ln x is also right where x underflows. For a and b from
-   1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the changes that one ulp of the smaller of p and q
-   makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower. If a or b is 0 or
-   infinite, x is the limit: 0 for p < 1 if a is 0 or b infinite, and 1 for p > 0 if b is 0 or a infinite. If both
-   conditions hold, there is no limit. The results are NaN for other a or b, if there is no limit, if p or q is
-   negative, and if p + q is not 1.
+/* The inverse of ateb_beta_inc_both: x with I_x(a, b) = p, and y = 1 - x and ln x. All three are computed from the
+   smaller of p and q = 1 - p: give this number with all its digits. ln x is right even where x underflows. For a and b
+   from 1e-3 to 1e4 the errors of x, y and ln x are at most 16 ulp plus the change that an error of one ulp in the
+   smaller of p and q makes. a and b may also lie between 1e-4 and 1e5, where the function is less accurate and slower.
+   If a or b is 0 or infinite, x is the limit. This limit is 0 for p < 1 if a is 0 or b is infinite. It is 1 for p > 0
+   if b is 0 or a is infinite. If both conditions hold, there is no limit. The results are NaN for other a or b, if
+   there is no limit, if p or q is negative, and if p + q is not 1.
    docs/cost.md has the time of a call. */
 VM_API void ateb_beta_inc_inv_both(vm_real p, vm_real q, vm_real a, vm_real b, vm_real *x, vm_real *y,
                                    vm_real *ln_x)

@@ -54,10 +54,10 @@ VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
    mispredict it half the time. */
 VM_API vm_real vmi_choose(vm_real weight, vm_real a, vm_real b) { return weight * a + (1 - weight) * b; }
 
-/* Returns the position of s >= 0 in the period, by the quickest of three ways.
+/* Returns the position of s >= 0 in the period, by the first of three methods that is accurate enough.
      1. An s <= (alpha + 1)/2 lies in the first quarter. Then r = s, which is known without Pi_alpha.
-     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. Its high
-        word is multiplied in two halves, whose products with the number of quarters are exact. The number of quarters
+     2. For s <= 128 (alpha + 1), c->quarter is accurate enough, unless s is close to a zero of sa or ca. The high word
+        of c->quarter is split into halves, whose products with the number of quarters are exact. The number of quarters
         is computed from the high word of c->quarter alone, so that the rest may be a little longer than half a quarter.
      3. Any other s is reduced by vmi_ateb_reduce_finely. */
 VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
@@ -91,8 +91,8 @@ VM_INLINE vmi_ateb_place vmi_ateb_locate(vm_real s, vmi_ateb *c)
     return at;
 }
 
-/* Sets the signs of sa and ca to those at s. Before the call, *sa and *ca are the values in the first quarter. |s| is
-   `quarter` quarters plus rest. The function works on the bits of the signs, without a branch. */
+/* Gives *sa and *ca the signs of sa and ca at s. Before the call, *sa and *ca are the values in the first quarter. |s|
+   is `quarter` quarters plus rest. The function works on the bits of the signs, without a branch. */
 VM_INLINE void vmi_ateb_signs(vm_real s, vm_real rest, vmi_bits quarter, vm_real *sa, vm_real *ca)
 {
     const int last = 8 * (int)sizeof(vm_real) - 1;

@@ -12,9 +12,10 @@
      2 q d = q B_x(q, 1/2) = u (1 + q T), where 1 + q T = 2F1(1, 2q; 1 + q; p).
 
    Up to r = 0.55 (VMI_ATEB_CHANGE_OVER) the first equation is solved for v; for larger r the second is solved for p. At
-   r = 0.55, w < 0.303 and p < 0.251. A rough v (or p) is taken as exact, and the r (or d) that belongs to it is
-   computed. The computed r (or d) differs little from the given one, and a Taylor series corrects v (or p) for the
-   difference. Therefore one continued fraction for 2F1 and one power are enough.
+   r = 0.55, w < 0.303 and p < 0.251. The code takes a rough v and computes the r that belongs to it by the first
+   equation. This r differs little from the given r, and a Taylor series in the difference gives sa and ca. The second
+   equation is used in the same way, with p and ln X instead of v and r. Therefore one continued fraction for 2F1 and
+   one power are enough.
 
    Tests: tests/test_ateb.c. */
 #ifndef VARMASS_ATEB_INVERSION_H
@@ -34,9 +35,9 @@
 /* Gauss's continued fraction (DLMF 15.7) is 2F1(1, b; c; z) = 1/(1 - b z/(c Y_1)), where Y_j = 1 - e_j/Y_(j+1) and
      e_(2n-1) = n (c - b + n - 1) z/((c + 2n - 2) (c + 2n - 1)),
      e_(2n) = (b + n) (c + n - 1) z/((c + 2n - 1) (c + 2n)).
-   For z < 0.303, two further levels of the fraction give at least 7 more bits. For large j, e_j tends to z/4, from
-   which the last Y is estimated. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction in w
-   and of the fraction in p. */
+   For z < 0.303, two further levels of the fraction give at least 7 more bits. For large j, e_j is nearly z/4; from
+   this value the last Y is estimated. VMI_ATEB_W_LEVELS and VMI_ATEB_P_LEVELS are the numbers of levels of the fraction
+   in w and of the fraction in p. */
 enum { VMI_ATEB_W_LEVELS = VM_MANT_DIG > 24 ? 12 : 6, VMI_ATEB_P_LEVELS = VM_MANT_DIG > 24 ? 12 : 6 };
 
 /* Computes Y_1 = P/Q of Gauss's continued fraction (see above) without a division. Y is the value of Y_(levels+1).
@@ -151,8 +152,8 @@ VM_INLINE vm_two vmi_ateb_twice_q_times(vm_two twice_q, vm_real d, vm_real d_lo)
 
 /* Returns the base y from the distances r and d of s from the zeros of sa and ca. y = 2 q d is also 1 - q z, where z
    = 2 r - (Pi_alpha - (alpha + 1)); this form is used for r < d and y > 0.71. The low word of y matters: for a large
-   alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that y.lo need not be
-   scaled by 2^-k. */
+   alpha, a small change of y is a large change of X = y^(alpha+1). For y < 1/2, X is so small that an inexact y.lo is
+   enough: it is multiplied by 2 instead of 2^-k. */
 VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, vm_real d, vm_real d_lo)
 {
     const vm_real sqrt_half = VM_C(0.70710678118654752), qz = twice_q.hi * (z / 2);
@@ -172,9 +173,9 @@ VM_INLINE vmi_ateb_base vmi_ateb_base_of(vm_two twice_q, vm_real r, vm_real z, v
     return base;
 }
 
-/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed as a quotient of two
-   linear functions of X4 (a Pade approximant) and a correction. The correction contains X4^3 q (1 - q) and a polynomial
-   fitted by tests/gen/ateb_coefficients.py. */
+/* Returns p = (1 - sa)/2 within 1e-5, from X4 = X/4, where X = (2 q d)^(alpha+1). p/X4 is computed as a product of two
+   factors: a quotient of two linear functions of X4 (a Pade approximant), and the correction 1 + X4^3 q (1 - q)
+   (lack0 + lack1 X4). The polynomials lack0 and lack1 in q are fitted by tests/gen/ateb_coefficients.py. */
 VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 {
     const vm_real k = 1 - q, m = (1 + q) * (2 + q);
@@ -187,8 +188,8 @@ VM_INLINE vm_real vmi_ateb_guess_p(vm_real q, vm_real X4)
 /* Computes sa and ca at the distances r >= VMI_ATEB_CHANGE_OVER from the zero of sa and d from the zero of ca. The
    numbers q = 1/(alpha + 1), y = 2 q d and X = y^(alpha+1) are known. The unknown is p = (1 - sa)/2. From p follow
      v = sa = 1 - 2 p,   x = 1 - v^2 = 4 p (1 - p),   u = ca = x^q,   E = 2F1(1, 2q; 1 + q; p).
-   They satisfy y = u E, so that p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln
-   X are
+   Since y = u E, the wanted p is the solution of ln X = ln x + (alpha + 1) ln E. The derivatives with respect to ln X
+   are
      dp/d(ln X) = x E/4,   d ln(u/y)/d(ln X) = -q (1 - v E).
    The function starts from a guess of p. rho is ln X minus the ln X that belongs to the guess; a Taylor series in
    rho gives sa and ca. */

@@ -2,7 +2,7 @@
 
    sa and ca have the period 2 Pi_alpha, where Pi_alpha = B(1/(alpha + 1), 1/2) by (277) and B is the complete beta
    function. Pi_alpha is 2 for alpha = 0 and pi for alpha = 1. ateb_pi returns Pi_alpha; the internal functions return a
-   quarter of the period, Pi_alpha/2, in as many words as the reduction of an argument needs.
+   quarter of the period, Pi_alpha/2, in two or three words, as the reduction of an argument needs them.
 
        vm_real period = 2 * ateb_pi(3);
 
@@ -20,9 +20,9 @@
 
 /* Returns coefficient i of a polynomial in t = 2q - 1, which approximates (1 + q)(2 + q)(3 + q) f(q), where
      f(q) = sqrt(pi) Gamma(1 + q)/Gamma(q + 1/2) = q Pi_alpha with q = 1/(alpha + 1), between 1 and 2 for 0 < q <= 1.
-   The polynomial interpolates in Chebyshev's points; each coefficient is about 1/18 of the previous coefficient. A
-   coefficient has up to three words; which_word = 0 selects the largest. Words that are too small to change the result
-   are 0. */
+   The polynomial is exact at Chebyshev's points. From the fourth coefficient on, each is less than 1/8 of the previous
+   one. A coefficient has up to three words; which_word = 0 selects the largest word. Words that are too small to change
+   the result are 0. */
 VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 {
 #if VM_MANT_DIG > 24
@@ -76,8 +76,8 @@ VM_API vm_real vmi_ateb_coefficient(int which_word, int i)
 enum { VMI_ATEB_DEGREE = VM_MANT_DIG > 24 ? 33 : 17 };
 
 /* Returns the polynomial of vmi_ateb_coefficient in two words. From index TWO_WORDS on the coefficients are so small
-   that one word is enough. Each coefficient exceeds the sum of the terms after it, so that the faster sum by Dekker
-   (vmi_fast_two_sum) is enough for the high words. */
+   that one word is enough. No coefficient has a smaller binary exponent than the sum of the terms after it, so that
+   Dekker's faster sum (vmi_fast_two_sum) is exact for the high words. */
 VM_API vm_two vmi_ateb_polynomial(vm_two t)
 {
     enum { TWO_WORDS = VM_MANT_DIG > 24 ? 17 : 8 };
@@ -107,8 +107,8 @@ VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 }
 
 /* Returns Pi_alpha/2 in three words, with a relative error of 2^-125 (float 2^-58), for n = alpha + 1 < 1e9 (float
-   3e4). It is the product n f(q)/2, where f is the polynomial of vmi_ateb_coefficient times 1/(i + q) for i = 1, 2, 3,
-   and 1/(i + q) is computed as n/(i n + 1). */
+   3e4). The result is n f(q)/2. The polynomial of vmi_ateb_coefficient, divided by 1 + q, 2 + q and 3 + q, is f(q). The
+   quotient 1/(i + q) is computed as n/(i n + 1). */
 VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
 {
     const vmi_three one = vmi_three_words(1, 0, 0), n = vmi_three_words(n_two.hi, n_two.lo, 0);
@@ -127,10 +127,10 @@ VM_API vmi_three vmi_ateb_finest_quarter(vm_two n_two)
     return vmi_three_times(sum, vmi_three_words(n.hi / 2, n.mid / 2, 0));
 }
 
-/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). A row is for q = row/32. Its
-   columns are the low words of g and of the slope of g, then g and its slope, then the further coefficients of the
-   Taylor series of g about this q. The slope has only half of the digits of a vm_real, so that a product with it can be
-   exact. */
+/* The columns of the table of g(q) = Pi_alpha - (alpha + 1), where q = 1/(alpha + 1). The row with the index `row` is
+   for q = row/32. The columns are, in this order: the low word of g, the low word of the slope of g, g, the slope, and
+   the further coefficients of the Taylor series of g about this q. The slope has only half of the digits of a vm_real;
+   its product with another number of half of the digits is exact. */
 enum {
     VMI_ATEB_G_LOW,
     VMI_ATEB_G_SLOPE_LOW,
@@ -387,8 +387,8 @@ typedef struct VM_TAG(vmi_ateb) {
     vm_two quarter; /* Pi_alpha/2, a quarter of the period */
 } vmi_ateb;
 
-/* Sets the fields n = alpha + 1 and q = 1/n, and sets g and quarter to 0. The remainder 1 - n q is exact, since n and q
-   are split into halves. */
+/* Sets the fields n = alpha + 1 and q = 1/n, and sets g and quarter to 0. The remainder 1 - n q is computed from the
+   halves of n and q: the product of the first halves is exact. */
 VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 {
     vm_real n_head, n_tail, q_head;
@@ -403,7 +403,7 @@ VM_INLINE void vmi_ateb_index_constants(vmi_ateb *c, vm_real alpha)
 }
 
 /* Sets the fields g and quarter, whose low words may be as large as 2^-13. Where an argument is reduced by multiples of
-   Pi_alpha/2, the absolute error of Pi_alpha is important. It is small for a large alpha too, since Pi_alpha is
+   Pi_alpha/2, the absolute error of Pi_alpha is important. This error is small for a large alpha too, since Pi_alpha is
    computed as the sum of n = alpha + 1 and g. */
 VM_INLINE void vmi_ateb_period_constants(vmi_ateb *c)
 {

@@ -78,12 +78,12 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 /* Returns 1 if ateb_phase has a result for this alpha, else 0. */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
-/* The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30. The pair
-   need not satisfy sa^2 + |ca|^(alpha+1) = 1: sa lambda^((alpha+1)/2) and ca lambda have the same phase for every
-   lambda > 0. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found with sa = -x'
-   sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s, ...), s is
-   returned with an error of at most 8 ulp plus the change of s that 6 ulp of sa and of ca make. Returns NaN for
-   alpha < 0, alpha > 1e30, NaN and infinite arguments. */
+/* The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30. The given
+   values need not satisfy sa^2 + |ca|^(alpha+1) = 1: for every lambda > 0 the pair sa lambda^((alpha+1)/2) and ca
+   lambda has the same phase as sa and ca. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found
+   with sa = -x' sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s,
+   ...), the result is s with an error of at most 8 ulp plus the change of s that errors of 6 ulp in sa and in ca make.
+   Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
@@ -107,7 +107,8 @@ VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 enum { VMI_ATEB_PHASE_TERMS = VM_MANT_DIG > 24 ? 54 : 26 };
 
 /* Returns the distance between the phase and a zero of sa, where u = |sa| and y = sa^2 <= 1/2. It is the integral from
-   0 to u of (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. Its error is below 4 ulp. */
+   0 to u of (1 - x^2)^(-alpha/(alpha+1)) dx, whose power series has positive terms. The error of the result is below 4
+   ulp. */
 VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
 {
     const vm_real power = alpha / (alpha + 1);
@@ -121,7 +122,7 @@ VM_API vm_real vmi_ateb_from_sa_0(vm_real alpha, vm_real u, vm_real y)
 }
 
 /* Returns the distance between the phase and a zero of ca, where x = |ca| and w = x^(alpha+1) <= 1/2. It is (alpha+1)/2
-   times the integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. Its error is below 4 ulp. */
+   times the integral from 0 to x of (1 - z^(alpha+1))^(-1/2) dz. The error of the result is below 4 ulp. */
 VM_API vm_real vmi_ateb_from_ca_0(vm_real alpha, vm_real x, vm_real w)
 {
     const vm_real n = alpha + 1;

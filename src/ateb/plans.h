@@ -2,8 +2,8 @@
 
    A plan contains all numbers that depend only on alpha: Pi_alpha/2 and polynomials for two parts of a quarter of the
    period. A call with a plan is faster, most of all for arrays, where the compiler vectorises the loop (docs/cost.md
-   has the times). A plan of less accuracy is shorter and quicker. A plan is plain data: it may be copied, and it may be
-   a constant in flash.
+   has the times). A plan of less accuracy has shorter polynomials and is quicker. A plan is plain data: it may be
+   copied, and it may be a constant in flash.
 
        ateb_plan p;
        vm_real sa, ca;
@@ -14,10 +14,10 @@
      sa = r (1 + tau A(tau)) and ca = 1 + tau C(tau), where tau = r^2;
    for larger r, with two other polynomials,
      ca = 2 q d (1 + tau A(tau)) and sa = 1 + tau C(tau), where tau is X = (2 q d)^(alpha+1) up to a factor.
-   The polynomials are Taylor series from (275), economised: the last terms are removed by Chebyshev polynomials. For
-   alpha = 0, 1/2, 1, ..., 7, tau is d d^alpha and is computed by products and a square root; for any other alpha, tau
-   is X and is computed by an exponential. Source: Lanczos, Applied Analysis (1956). Tests: tests/test_ateb.c,
-   tests/test_plans.sh. Example: examples/print_plan.c. */
+   The polynomials are Taylor series that follow from the differential equations (275). The series are economised: their
+   last terms are removed by Chebyshev polynomials. For alpha = 0, 1/2, 1, ..., 7, tau is d d^alpha and is computed by
+   products and a square root; for any other alpha, tau is X and is computed by an exponential. Source: Lanczos, Applied
+   Analysis (1956). Tests: tests/test_ateb.c, tests/test_plans.sh. Example: examples/print_plan.c. */
 #ifndef VARMASS_ATEB_PLANS_H
 #define VARMASS_ATEB_PLANS_H
 
@@ -56,7 +56,7 @@ typedef struct VM_TAG(ateb_plan) {
 #endif
     vm_real quarter_parts[3]; /* three numbers with the sum `quarter`; the first two have at most half of the digits */
     vm_real per_quarter;      /* 2/Pi_alpha */
-    vm_real longest;          /* for |s| < longest, the first two parts times the number of quarters are exact */
+    vm_real longest;          /* for |s| < longest, the number of quarters times quarter_parts[0] or [1] is exact */
     vm_real change_over;      /* part[0] is used up to this distance r from a zero of sa */
     vm_real n, g;             /* alpha + 1 and Pi_alpha - (alpha + 1) */
     vm_two twice_q;           /* 2/(alpha + 1) */
@@ -86,8 +86,8 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
 }
 
 /* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1). r and d + d_lo are the distances of s from the zeros of sa and
-   ca; 2 q d is computed from the shorter one (vmi_ateb_base_of) and is written to *y. Where X would be subnormal, the
-   result is about the smallest normal number instead. */
+   ca; 2 q d is computed as in vmi_ateb_base_of and is written to *y. Where X would be subnormal, the result is about
+   the smallest normal number instead. */
 VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
 {
     const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);
@@ -105,8 +105,9 @@ VM_INLINE vm_real vmi_ateb_four_terms(const vm_real *c, vm_real x, vm_real xx)
 }
 
 /* Returns the polynomial c[0] + c[1] x + ..., computed with at least `length` terms. The coefficients beyond `length`
-   are 0. The terms after the first are grouped by four, so that the processor computes the groups at once. The first
-   and largest term is added last, so that only one rounding error of the size of the sum is made. */
+   are 0. The terms after the first are grouped by four, so that the processor can compute the groups at the same time.
+   The first and largest term is added last, so that only this addition makes a rounding error as large as half an ulp
+   of the sum. */
 VM_INLINE vm_real vmi_ateb_part_series(const vm_real *c, int length, vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -147,8 +148,8 @@ VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 }
 
 /* Returns x minus the nearest multiple of Pi_alpha/2, for an x > 0 that is close to a multiple (see
-   vmi_ateb_plan_is_close). `rest` is this difference, computed with two words of Pi_alpha/2. The result is computed
-   with three words, or in float is `rest`. */
+   vmi_ateb_plan_is_close). `rest` is this difference, computed with two words of Pi_alpha/2. In double the result is
+   computed with three words; in float it is `rest`. */
 VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
 {
 #if VM_MANT_DIG > 24
@@ -163,9 +164,9 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
 }
 
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
-   the error of a plan of full accuracy is at most 2 ulp (in float, next to a zero of sa or ca, 2 ulp plus the change
-   that a change of s by 1e-13 |s| makes); any other plan has the accuracy that was given to ateb_plan_init_to. The
-   results are NaN for infinite and NaN s. docs/cost.md has the time of a call. */
+   the error of a plan of full accuracy is at most 2 ulp. In float, next to a zero of sa or ca, it is at most 2 ulp plus
+   the change that an error of 1e-13 |s| in s makes. Any other plan has the accuracy that was given to
+   ateb_plan_init_to. The results are NaN for infinite and NaN s. docs/cost.md has the time of a call. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
     vm_real rest, near_zero, far_zero, lost, v, u;
@@ -220,9 +221,9 @@ enum { VMI_ATEB_BLOCK = 32 };
 #define VMI_ATEB_WIDE 0
 #endif
 
-/* Intermediate results for the arguments s of a block. They are |s| minus the nearest multiple of the quarter period,
-   the bits of the number of quarters, the distances r and d of s from the zeros of sa and ca with their rounding
-   errors, and base and tau of vmi_ateb_part_at */
+/* Intermediate results for the arguments s of a block. `quarter` has the bits of the number of quarters, and `rest` is
+   |s| minus the nearest multiple of the quarter period. r and d are the distances of s from the zeros of sa and ca,
+   with the rounding errors r_lo and d_lo. base, base_lo and tau are arguments of vmi_ateb_part_at. */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];
@@ -323,10 +324,10 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
     }
 }
 
-/* Computes sa and ca of a block of arguments, each with |s| < p->longest. The number of terms is a constant in each of
-   the calls, so that compilers can vectorise the loop over the arguments; the calls make the distinctions of
-   vmi_ateb_part_series. Arguments next to a zero of sa or ca are computed once more, one by one. The plan is copied:
-   the compiler then knows that the results do not change it. */
+/* Computes sa and ca of a block of arguments, each with |s| < p->longest. Each call of vmi_ateb_block_sums has a
+   constant number of terms, so that compilers can vectorise its loop over the arguments. For the same numbers of terms
+   vmi_ateb_part_series has separate cases. Arguments next to a zero of sa or ca are computed once more, one by one. The
+   function copies the plan, so that the compiler knows that writing the results does not change the plan. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const ateb_plan p = *plan;
@@ -345,9 +346,9 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
    the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the
-   results have the same bits. Arguments are computed in blocks of 32; those with |s| >= p->longest, and those that are
-   not finite, are computed one by one. Arrays are faster than single calls on processors with wide vector registers
-   (docs/cost.md has the times). */
+   results have the same bits as its results. Arguments are computed in blocks of 32. Arguments with |s| >= p->longest,
+   and those that are not finite, are computed one by one. Arrays are faster than single calls on processors with wide
+   vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;
@@ -374,8 +375,8 @@ VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm
     }
 }
 
-/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. It is computed
-   from w_0 ... w_(j-1) and b_1 ... b_j by Euler's recurrence. */
+/* Returns the coefficient w_j of the power series w = b^alpha, where b is a power series with b_0 = 1. The function
+   computes it from w_0 ... w_(j-1) and b_1 ... b_j by Euler's recurrence. */
 VM_API vm_real vmi_ateb_series_power(vm_real alpha, int j, const vm_real *b, const vm_real *w)
 {
     vm_real sum = 0;
@@ -466,8 +467,8 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     return length;
 }
 
-/* Sets the fields that reduce s: the quarter period as a sum of parts, and `longest`, the s up to which the products of
-   the first two parts and a number of quarters are exact. */
+/* Sets the fields that reduce s: the quarter period as a sum of parts, and `longest`. For |s| < longest, the products
+   of the first two parts and the number of quarters are exact. */
 VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 {
 #if VM_MANT_DIG > 24
@@ -485,12 +486,12 @@ VM_API void vmi_ateb_plan_period(ateb_plan *p, const vmi_ateb *c)
 }
 
 /* Prepares a plan for alpha >= 0 and a given accuracy. `accuracy` is the largest absolute error of sa and ca that is
-   allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy is shorter and quicker. Returns 0, or
-   -1 if alpha < 0 or an argument is NaN or infinite; if it returns -1, the plan stays as it was. */
+   allowed, such as 1e-4 or 1e-8; 0 means full accuracy. A plan of less accuracy has shorter polynomials and is quicker.
+   Returns 0, or -1 if alpha < 0 or an argument is NaN or infinite; if it returns -1, the plan stays as it was. */
 VM_API int ateb_plan_init_to(ateb_plan *p, vm_real alpha, vm_real accuracy)
 {
-    /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). The relative rounding error of X, times
-       X/(2 sa), is the error that it causes in sa. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for a
+    /* For r beyond the change-over, sa is computed from X = (2 q d)^(alpha+1). A relative rounding error of X causes an
+       error of sa that is X/(2 sa) times as large. The factor X/(2 sa) is 0.33 for a change-over at r = 0.92; for a
        change-over at r = 0.73 it would be 0.5, and the error of sa would be 2.3 ulp. For a change-over beyond 0.92 the
        polynomials would have too few terms. */
     const vm_real share = VM_C(0.5), farthest = VM_MANT_DIG > 24 ? VM_C(0.92) : VM_C(0.95);

@@ -1,8 +1,8 @@
 /* ateb/powers.h - a logarithm and an exponential that are quicker but less accurate
 
    vmi_log and vmi_exp (base/elementary.h) return two words. The functions in this file return one word, with an error
-   of one or two ulp. They are used where the error is later multiplied by less than about 1/2: in ateb/inversion.h and
-   in ateb/plans.h.
+   of one or two ulp. ateb/inversion.h and ateb/plans.h use them where the error is later multiplied by a number below
+   about 1/2.
 
        vm_real y = vmi_ateb_exp(vmi_ateb_ln(3) / 2); // the square root of 3
 
@@ -50,7 +50,7 @@ VM_API vm_real vmi_ateb_ln_ratio(vm_real t)
 
 /* Writes a normal number x > 0 as 2^k z with z between sqrt(1/2) and sqrt(2). Returns z, and k in *k. When the bits
    of sqrt(1/2) are subtracted from those of x, the exponent of the difference is k. Older processors cannot convert
-   long integers in vector registers to floating point; therefore k is put together from its bits. */
+   long integers in vector registers to floating point; therefore the code makes k from the bits of the exponent. */
 VM_INLINE vm_real vmi_ateb_mantissa(vm_real x, vm_real *k)
 {
 #if VM_MANT_DIG > 24

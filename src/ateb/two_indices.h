@@ -28,8 +28,8 @@ VM_API int vmi_ateb_index_is_in_domain(vm_real n) { return n == 0 || (n >= VM_C(
 VM_API vm_two vmi_ateb_exponent(vm_real n) { return vmi_two_over(vmi_two(1, 0), vmi_two_sum(n, 1)); }
 
 /* Returns B_(1/2)(a, b) 2^(a+b) = 2F1(1, a+b; a+1; 1/2)/a for b <= 1 (DLMF 8.17.8). B_(1/2) is the incomplete beta
-   function at x = 1/2, and 2F1 is a power series. Each of its terms is at most half of the previous term, so that 2
-   VM_MANT_DIG terms are enough for two words. */
+   function at x = 1/2 (not regularised). 2F1 is a power series, in which each term is at most half of the previous
+   term, so that 2 VM_MANT_DIG terms are enough for two words. */
 VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 {
     const vm_two one = {1, 0}, c = vmi_two_plus(a, b);
@@ -45,8 +45,8 @@ VM_API vm_two vmi_ateb_half_beta(vm_two a, vm_two b)
 
 /* Returns Pi(n, m) = B(a, b) for a = 1/(n + 1) and b = 1/(m + 1), with a relative error of 2^-102 (float 2^-44); the
    logarithms of ateb/beta.h would give only 2^-64. Pi(n, m) is B_(1/2)(a, b) + B_(1/2)(b, a). vmi_ateb_half_beta
-   returns each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which comes from its power
-   series. */
+   returns each of them times 2^(a+b); therefore the sum is divided by 2^(a+b) = e^y, which is computed by the power
+   series of e^y. */
 VM_API vm_two vmi_ateb_pi_nm(vm_real n, vm_real m)
 {
     enum { TERMS = VM_MANT_DIG > 24 ? 32 : 18 };

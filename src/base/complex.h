@@ -48,8 +48,8 @@ VM_API vm_complex vmi_c_turn(vm_real angle)
     return e;
 }
 
-/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle) is that
-   of about k rounding errors. */
+/* Writes the complex numbers e^(i k angle) for k = 0 to n, for an angle in radians. The error of e^(i k angle) is about
+   k rounding errors. */
 VM_API void vmi_c_turns(int n, vm_real angle, vm_complex *turns)
 {
     const vm_complex once = vmi_c_turn(angle);

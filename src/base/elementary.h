@@ -142,8 +142,8 @@ VM_API vm_two vmi_log(vm_real x)
 }
 
 /* Computes k, p, p_lo with e^(x + x_lo) = 2^k (1 + p + p_lo) and |p| < 0.42, and returns p. |x| must be at most 1500
-   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-57 (float 2^-28.3);
-   for |x| < 0.34, where k = 0, p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
+   (float 200), and |x_lo| at most an ulp of x. 1 + p + p_lo has a relative error below 2^-57 (float 2^-28.3). For
+   |x| < 0.34, k is 0, and p alone is within 0.6 ulp of e^x - 1. Method: x = k ln 2 + r and e^r = 1 + r + r^2/2 +
    r^3 E(r) with a polynomial E. The square of the first half of r's digits is computed exactly. */
 VM_INLINE vm_real vmi_exp_core(vm_real x, vm_real x_lo, int *k, vm_real *p_lo)
 {
@@ -211,8 +211,8 @@ VM_API vm_real vmi_pow_two(vm_two x, vm_two y)
 }
 
 /* Returns the angle atan(y/x) for x >= 0 and y >= 0 that are not both 0. Method: if the angle is above pi/4 (steep), it
-   is replaced by pi/2 minus the angle; if the result is above pi/8 (middle), pi/4 is subtracted from it. The size of
-   the remaining angle is at most pi/8, and a formula with the polynomial A gives this angle. */
+   is replaced by pi/2 minus the angle; if the new angle is above pi/8 (middle), pi/4 is subtracted from it. The
+   remaining angle lies between -pi/8 and pi/8. It is z + z^3 A, where z is its tangent and A a polynomial in z^2. */
 VM_API vm_real vmi_arctan(vm_real y, vm_real x)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -276,7 +276,7 @@ VM_API vm_two vmi_two_log(vm_two x)
 }
 
 /* Computes the sine and the cosine of any angle x in radians. The function first subtracts from |x| the nearest
-   multiple of pi/2, taken in two words. Both results are NaN if x is infinite or NaN. */
+   multiple of pi/2, computed with pi/2 in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();

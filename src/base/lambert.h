@@ -7,9 +7,9 @@
        vm_real w = vm_lambert_w0(1); // 0.567..., the solution of w e^w = 1
 
    Method: a start value is improved by the steps of Fritsch, Shafer and Crowley (Comm. ACM 16, 1973), which have order
-   four: the error after a step is proportional to the fourth power of the error before it. A start value with an error
-   of at most 2 % needs two steps, one with an error of at most 1e-4 needs one step. The residual ln(x/w) - w is
-   computed in two words, so that the final error is little more than one rounding error.
+   four. This means that the error after a step is proportional to the fourth power of the error before it. A start
+   value needs two steps if its error is at most 2 %, and one step if its error is at most 1e-4. The residual
+   ln(x/w) - w is computed in two words, so that the final error is little more than one rounding error.
    Tests: tests/test_lambert.c. */
 #ifndef VARMASS_BASE_LAMBERT_H
 #define VARMASS_BASE_LAMBERT_H
@@ -20,8 +20,8 @@
 #include "sums.h"
 #include "words.h"
 
-/* Returns the correction of w divided by w, by the method of Fritsch, Shafer and Crowley. The arguments are w1 = 1 + w
-   and the residual z = ln(x/w) - w. */
+/* Returns the relative correction of w, which is the correction divided by w, by the method of Fritsch, Shafer and
+   Crowley. The arguments are w1 = 1 + w and the residual z = ln(x/w) - w. */
 VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 {
     const vm_real first = z / w1, half_q = w1 + 2 * z / 3;
@@ -29,7 +29,7 @@ VM_API vm_real vmi_lambert_correction(vm_real w1, vm_real z)
 }
 
 /* Returns Lambert's W of a number x that is not close to -1/e, from l = ln|x| in two words and a rough value w of W.
-   Two steps are enough where w is right to 2 %, and one where it is right to 1e-4. */
+   Two steps are enough if the error of w is at most 2 %, and one step if it is at most 1e-4. */
 VM_API vm_real vmi_lambert_far(vm_two l, vm_real w, int steps)
 {
     int i;
@@ -78,11 +78,11 @@ VM_API vm_real vmi_lambert_rational(vm_real l)
     return above / below;
 }
 
-/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). If `lower` is 1, this is W_-1; if it is 0, it is W_0, for x close
-   to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s; v is positive for W_-1 and negative for W_0. A value
-   of s between -eps/2 and 0 is caused by rounding and means x = -1/e. v starts from a formula by Barry,
-   Culligan-Hensley and Barry (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s) for W_0, which is good for
-   s < 0.4. */
+/* Returns Lambert's W of x < 0 from s = -1 - ln(-x). The result is W_-1 if `lower` is 1. It is W_0 if `lower` is 0, for
+   x close to -1/e. Method: W = -1 - v, where v solves v - ln(1 + v) = s; v is positive for W_-1 and negative for W_0. A
+   value of s between -eps/2 and 0 is caused by rounding and means x = -1/e. The start value of v comes from a formula
+   by Barry, Culligan-Hensley and Barry (ACM TOMS 21, 1995) for W_-1, and from a series in sqrt(2s), which is good for
+   s < 0.4, for W_0. */
 VM_API vm_real vmi_lambert_near(vm_two s, int lower)
 {
     const vm_real barry = VM_C(0.3361), root = VM_SQRT(2 * s.hi);
@@ -128,8 +128,8 @@ VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (
 VM_API vm_real vmi_lambert_winitzki(vm_real L) { return L * (1 - vmi_log(1 + L).hi / (2 + L)); }
 
 /* Lambert's W_0(x), the upper branch: the solution w >= -1 of w e^w = x, for x >= -1/e. x is a pure number and taken
-   as exact. The error is at most 1 ulp. Returns infinity for x = infinity, and NaN for x < -1/e. The number of the type
-   next to -1/e counts as -1/e and gives -1. */
+   as exact. The error is at most 1 ulp. Returns infinity for x = infinity, and NaN for x < -1/e. The vm_real that is
+   nearest to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_w0(vm_real x)
 {
     vm_two l;
@@ -143,7 +143,7 @@ VM_API vm_real vm_lambert_w0(vm_real x)
 
 /* Lambert's W_-1(x), the lower branch: the solution w <= -1 of w e^w = x, for -1/e <= x < 0. x is a pure number and
    taken as exact. The error is at most 1 ulp. Returns -infinity for x = 0, and NaN for x > 0 and for x < -1/e. The
-   number of the type next to -1/e counts as -1/e and gives -1. */
+   vm_real that is nearest to -1/e counts as -1/e and gives -1. */
 VM_API vm_real vm_lambert_wm1(vm_real x)
 {
     vm_two ln;

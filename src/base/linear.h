@@ -23,7 +23,7 @@ VM_API void vmi_eliminate(int n, int k, vm_real *a)
     }
 }
 
-/* Changes the right sides b in the way in which vmi_eliminate, which must come first, has changed the left sides. */
+/* Changes the right sides b as vmi_eliminate has changed the left sides. Call vmi_eliminate before this function. */
 VM_API void vmi_eliminate_right(int n, int k, const vm_real *a, vm_real *b)
 {
     int i;
@@ -70,8 +70,8 @@ VM_API int vmi_solve_linear(int n, vm_real *a, vm_real *b)
    become the decomposition. The function first divides row i and column i by scale[i], so that the diagonal is 1;
    `scale` becomes the array of these n numbers. The units of the coordinates then do not matter, and the condition
    number is nearly the least that scaling can give (van der Sluis 1969). Rows need not be exchanged. Returns
-   VM_SINGULAR if an entry of the diagonal is not positive or a pivot is not above 4 n eps, which happens for every
-   matrix that is not positive definite, and VM_OK otherwise. */
+   VM_SINGULAR if an entry of the diagonal is not positive or a pivot is not above 4 n eps, and VM_OK otherwise. Every
+   matrix that is not positive definite gives VM_SINGULAR. */
 VM_API int vmi_decompose_mass(int n, vm_real *a, vm_real *scale)
 {
     int i, j, k;

@@ -74,7 +74,7 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
    two roots of a pair become exactly conjugate. */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
-    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative size */
+    const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative distance */
     int i, j, k;
     for (i = 0; i < n; i++) {
         if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
@@ -107,7 +107,7 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
         m--;
         re[m] = im[m] = 0;
     }
-    for (i = 0; i < m; i++) /* start values on a circle, not symmetric about the real axis: symmetry would persist */
+    for (i = 0; i < m; i++) /* start values on a circle; values symmetric about the real axis would remain symmetric */
         vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {

@@ -2,8 +2,8 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker where a program has files in float and in double. It names the four functions of the C
-   library that are used: sqrt, fabs, floor, copysign.
+   results, and the linker if a program has files in float and in double. It names the four functions of the C library
+   that the kit uses: sqrt, fabs, floor, copysign.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -39,9 +39,9 @@
 #define VM_INLINE VM_API /* the code is slower than with forced inlining, but the results are the same */
 #endif
 
-/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of what is meant as it stands, such as casts
-   that C and C++ both accept and comparisons with exact numbers. A project that asks for such warnings gets those of
-   its own files only. */
+/* Between VMI_QUIET_BEGIN and VMI_QUIET_END the compiler does not warn of code that is written so on purpose, such as
+   casts that C and C++ both accept and comparisons with exact numbers. A project that turns these warnings on gets them
+   for its own files only. */
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define VMI_IGNORE(warning) VMI_PRAGMA(GCC diagnostic ignored warning)
 #define VMI_PRAGMA(text) _Pragma(#text)
@@ -104,10 +104,10 @@ typedef double vm_real;
 #endif
 #endif
 
-/* A struct in float and the same struct in double have other sizes. In C the linker does not see where one file passes
-   such a struct to another. So each file marks its precision here, and files of both precisions do not link, unless all
-   of one precision define VM_MIXED_PRECISIONS. gcc marks by an absolute symbol, of which every file of a program must
-   have the same value; with clang this would refuse equal values too under -flto. */
+/* A struct in float and the same struct in double differ in size. A linker of C programs does not notice if a file in
+   float passes such a struct to a file in double. Therefore each file marks its precision here, and the linker refuses
+   files of both precisions, unless all files of one precision define VM_MIXED_PRECISIONS. With gcc the mark is a symbol
+   whose value must be equal in all files. With clang there is no mark: -flto would refuse equal values too. */
 #if defined(VM_MIXED_PRECISIONS) || defined(__CUDACC__)
 #elif defined(_MSC_VER)
 #ifdef VM_USE_FLOAT

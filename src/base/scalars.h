@@ -18,7 +18,7 @@
 /* Returns infinity if the condition holds, else 0. */
 VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY : 0; }
 
-/* Returns x^y for x >= 0 within 0.9 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity it has the values of
+/* Returns x^y for x >= 0 within 0.9 ulp; NaN if x < 0 or an argument is NaN. At 0 and infinity the result is that of
    the C library's pow. */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
@@ -78,8 +78,8 @@ VM_API vm_real vmi_log_ratio(vm_real x)
     return vmi_two_log(vmi_two_sum(1, x)).hi / x;
 }
 
-/* Returns (x - y)/x^2, where y must be ln(1 + x). For |x| >= 1/4 the result has two words, and its error comes from the
-   errors of x and y, which the subtraction amplifies. For smaller |x| the result has one word and is computed by the
+/* Returns (x - y)/x^2, where y must be ln(1 + x). For |x| >= 1/4 the result has two words; its error comes from the
+   errors of x and y, which the subtraction amplifies. For a smaller |x| the result has one word and is computed by the
    series of ln((1 + u)/(1 - u)) with u = x/(2 + x), where |u| <= 1/7. */
 VM_API vm_two vmi_log1p_rest(vm_two x, vm_two y)
 {

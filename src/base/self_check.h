@@ -1,10 +1,9 @@
 /* base/self_check.h - a test of whether this compiler and this processor compute as varmass needs
 
-   Some options of compilers and some modes of processors change the results of floating-point arithmetic. Where a
-   macro of the compiler shows such an option, the headers do not compile. vm_self_check() finds other options and modes
-   when the program runs: it computes a few numbers that show whether sums are computed in the order in which they are
-   written, whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers
-   exist.
+   Some options of compilers and some modes of processors change the results of floating-point arithmetic. If a macro of
+   the compiler shows such an option, the headers do not compile. vm_self_check() finds the other options and modes when
+   the program runs. It computes numbers that show whether sums are computed in the order in which they are written,
+   whether results are rounded to the nearest number, and whether NaN, infinity, -0 and subnormal numbers exist.
 
        int trustworthy = vm_self_check(); // once, when the program starts
 
@@ -47,7 +46,7 @@ VM_API int vmi_divides(vm_real one)
 }
 
 /* Returns 1 if sums next to 1 are rounded to the nearest number and do not keep more digits than vm_real has. A sum in
-   the middle between two neighbours must be rounded to the one whose last bit is 0. */
+   the middle between two neighbouring numbers must be rounded to the number whose last bit is 0. */
 VM_API int vmi_rounds(vm_real one, vm_real eps)
 {
     const vm_real below = one + eps / 4, middle = one + eps / 2, above = one + eps * VM_C(0.75);
@@ -66,9 +65,9 @@ VM_API int vmi_has_all_numbers(vm_real zero, vm_real infinity, vm_real smallest)
            subnormal * 8 == smallest;
 }
 
-/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results are wrong.
-   This happens, for example, with options of clang that its macros do not show, with another rounding mode, or where
-   the processor takes subnormal numbers for zero. Call it once, when the program starts. */
+/* Returns 1 if the compiler and the processor compute as varmass needs, else 0. If it returns 0, results of the kit are
+   wrong. This happens, for example, with options of clang that its macros do not show, with another rounding mode, or
+   where the processor takes subnormal numbers for zero. Call it once, when the program starts. */
 VM_API int vm_self_check(void)
 {
     volatile vm_real zero = 0, one = 1, eps = VM_EPSILON, infinity = VM_INFINITY, smallest = VM_MIN;

@@ -118,16 +118,16 @@ VM_API const char *vm_strerror(int status)
     }
 }
 
-/* Returns the rank of an error. Of two errors, the one with the smaller rank is reported. The order is that of the
-   numbers -1, -2, -3, ..., but VM_BAD_STIFFNESS stands directly after VM_BAD_MASS, as at the top of base/status.h. */
+/* Returns the rank of an error. Of two errors, the one with the smaller rank is reported. Errors rank in the order -1,
+   -2, -3, ..., except that VM_BAD_STIFFNESS ranks directly after VM_BAD_MASS, as at the top of base/status.h. */
 VM_API int vmi_error_rank(int status)
 {
     if (status == VM_BAD_STIFFNESS) return 2 * -VM_BAD_MASS + 1;
     return 2 * -status;
 }
 
-/* Of two statuses, returns the one that takes precedence: an error before VM_OK, and of two errors the one that stands
-   first in the order of vmi_error_rank. */
+/* Returns one of two statuses: the error if the other status is VM_OK, and of two errors the one with the smaller
+   vmi_error_rank. */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;

@@ -43,9 +43,9 @@ VM_API vm_two vmi_two_product(vm_real a, vm_real b)
 
 /* Reduces x >= 0 by the quarter period q > 0. Let j q be the multiple of q that is nearest to x. Returns x - j q, which
    lies between -q/2 and q/2 (or slightly outside by rounding), with an error below x 2^-(2p - 2), and writes j modulo 4
-   to *quarter; p is the number of bits of vm_real. One x has a larger error: if q.hi is a power of two and x is the
-   number just below q.hi/2, the result is -q.hi/2, and the error is x 2^-p. For x above 2^(p-1) q the digits of
-   x do not determine x - j q, and both results are 0. */
+   to *quarter; p is the number of bits of vm_real. For one x the error is larger: if q.hi is a power of two and x is
+   the number just below q.hi/2, the result is -q.hi/2 with an error of x 2^-p. For x above 2^(p-1) q the digits of x do
+   not determine x - j q, and both results are 0. */
 VM_API vm_two vmi_reduce(vm_real x, vm_two q, int *quarter)
 {
     vm_real j = VM_FLOOR(x / q.hi + VM_C(0.5));
@@ -99,8 +99,8 @@ VM_API vm_two vmi_two_over(vm_two x, vm_two y)
     return vmi_two_sum(z, (((x.hi - p.hi) - p.lo) + (x.lo - z * y.lo)) / y.hi);
 }
 
-/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on such numbers
-   has a relative error below 2^-(3p - 4). */
+/* The number hi + mid + lo, where mid is below an ulp of hi, and lo below an ulp of mid. Each operation on these
+   numbers has a relative error below 2^-(3p - 4); p is 53 or 24. */
 typedef struct VM_TAG(vmi_three) {
     vm_real hi, mid, lo;
 } vmi_three;
@@ -156,8 +156,8 @@ VM_API vmi_three vmi_three_scaled(vmi_three x, vm_real power)
     return vmi_three_words(x.hi * power, x.mid * power, x.lo * power);
 }
 
-/* Returns the square root of a. It starts as the root of the first word; then two steps of Newton's method add a word
-   each. */
+/* Returns the square root of a. The start value is the root of the first word. Each of two steps of Newton's method
+   adds a word. */
 VM_API vmi_three vmi_three_sqrt(vmi_three a)
 {
     const vm_real root = VM_SQRT(a.hi);

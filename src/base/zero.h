@@ -9,9 +9,9 @@
 #include "real.h"
 
 /* Returns a zero of f between a and b, as accurate as the type allows. fa = f(a) and fb = f(b) must differ in sign.
-   Method (Illinois): the next x is the zero of the secant through both ends of the interval. When one end of the
-   interval has not moved for two steps, the method halves the value of f that is stored for this end. Every fourth step
-   bisects the interval unless the last four steps have made it eight times shorter. */
+   Method (Illinois): the next x is the zero of the secant through both ends of the interval. If one end of the interval
+   has not moved for two steps, the method halves the value of f that is stored for this end. Every fourth step bisects
+   the interval unless the last four steps have made the interval eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
