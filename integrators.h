@@ -1067,13 +1067,15 @@ VM_INLINE void vmi_weigh(const rk45_options *o, int i, vm_real e, vm_real y, vm_
 #ifndef VARMASS_INTEGRATORS_RUNS_H
 #define VARMASS_INTEGRATORS_RUNS_H
 
+#include <limits.h>
+
 /* An adaptive run. The caller may read the fields from t to options. */
 typedef struct VM_TAG(rk45) {
     vm_real t;            /* current time */
     vm_real *y;           /* current state, n numbers (in work) */
     vm_real t_old;        /* the last accepted step is from t_old to t (rk45_interpolate); t_old is t after an error */
     vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
-    long steps;           /* number of accepted steps */
+    long steps;           /* number of accepted steps; these counts stop at LONG_MAX */
     long rejected;        /* number of rejected steps */
     long evals;           /* number of evaluations of f */
     long missed;          /* number of steps of the smallest size that were accepted above the tolerance */
@@ -1188,10 +1190,18 @@ VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_r
     }
 }
 
+/* Returns count + more for count >= 0, or LONG_MAX if this sum is larger. On many machines the type long has 32 bits, and
+   a long run may take more steps than such a number can count. */
+VM_API long vmi_count(long count, long more)
+{
+    if (more > 0 && count > LONG_MAX - more) return LONG_MAX;
+    return count + more;
+}
+
 /* Evaluates k = f(t, y) and counts this evaluation. Returns a status. */
 VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 {
-    s->evals++;
+    s->evals = vmi_count(s->evals, 1);
     s->rhs_status = s->f(t, y, k, s->ctx);
     return s->rhs_status ? ODE_RHS_STOPPED : ODE_OK;
 }
@@ -1496,9 +1506,9 @@ VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
     s->h = p->h_next;
     s->h_done = p->h_done;
     s->inverse_error = p->inverse_error;
-    s->next_miss = s->steps + p->next_miss;
-    s->steps += p->steps;
-    s->rejected += p->rejected;
+    s->next_miss = vmi_count(s->steps, p->next_miss);
+    s->steps = vmi_count(s->steps, p->steps);
+    s->rejected = vmi_count(s->rejected, p->rejected);
     s->missed += p->missed;
     s->attempts = p->attempts;
     s->k1 = p->k1;
@@ -1679,7 +1689,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
         if (p.stiff_wait <= 0 || single || trial.last) break;
         vmi_copy(sys.n, last_k, sys.w + VMI_K * sys.m);
     }
-    s->evals += evals;
+    s->evals = vmi_count(s->evals, evals);
     vmi_store_progress(s, &p);
     return p.stopped ? (int)ODE_RHS_STOPPED : status;
 }
@@ -1714,7 +1724,7 @@ VM_API void vmi_take_back_step(rk45 *s)
     s->t = s->t_old;
     s->t_low = s->t_old_low;
     s->h = s->h_done;
-    if (s->missed > 0 && s->next_miss == s->steps + VMI_BETWEEN_MISSES) {
+    if (s->missed > 0 && s->next_miss - VMI_BETWEEN_MISSES == s->steps) {
         s->missed--;
         s->next_miss = 0;
     }
@@ -1984,7 +1994,7 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
         if (e->times) e->times[e->count] = e->t;
         if (e->states) vmi_state_inside(s, x, e->states + e->count * s->n);
     }
-    e->count++;
+    e->count = vmi_count(e->count, 1);
     vmi_quieten_event(s, e, x);
 }
 
@@ -2084,7 +2094,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
 VM_API int vmi_shorten_step(rk45 *s)
 {
     s->h = s->h_done / 4;
-    s->rejected++;
+    s->rejected = vmi_count(s->rejected, 1);
     s->failure = VMI_NOT_FINITE;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }

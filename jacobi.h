@@ -1096,9 +1096,10 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* Computes the sine and the cosine of the angle z for |z| <= 0.79, a limit slightly above pi/4. |z.lo| must be at most
-   an ulp of z.hi. The sine is within 0.94 ulp, the cosine within 0.95 ulp. */
-VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
+/* Computes the sine and the cosine of the angle z in two words, for |z| <= 0.79, a limit slightly above pi/4. |z.lo|
+   must be at most an ulp of z.hi. The first word of the sine is within 0.94 ulp, that of the cosine within 0.95 ulp. Both
+   words together were within 0.34 ulp at 4 million random angles. */
+VM_INLINE void vmi_sin_cos_words(vm_two z, vm_two *sine, vm_two *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
 #if VM_MANT_DIG > 24
@@ -1114,8 +1115,17 @@ VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
                       tt * (VM_C(-1.983925176e-4) + t * VM_C(2.717518782e-6));
     const vm_real C = VM_C(0.04166664556) + t * (VM_C(-1.388730248e-3) + t * VM_C(2.443077574e-5));
 #endif
-    *sine = z.hi + (z.hi * t * S + z.lo * w);
-    *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
+    *sine = vmi_fast_two_sum(z.hi, z.hi * t * S + z.lo * w);
+    *cosine = vmi_fast_two_sum(w, ((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
+}
+
+/* Computes the sine and the cosine of the angle z, as vmi_sin_cos_words does, in one word each. */
+VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
+{
+    vm_two s, c;
+    vmi_sin_cos_words(z, &s, &c);
+    *sine = s.hi;
+    *cosine = c.hi;
 }
 
 /* Returns the integer nearest to x, for |x| < 2^15, and 0 if x is NaN. */
@@ -3256,6 +3266,7 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
 typedef struct VM_TAG(vmi_carlson) {
     vm_real x, y, z; /* the arguments */
     vm_real mean;    /* their mean (x + y + z)/3 */
+    vm_real rest;    /* rounding error of the first mean; each duplication divides it by 4. mean + rest is more exact */
     vm_real X, Y;    /* mean - x and mean - y; mean - z is -(X + Y) */
     vm_real a, b, c; /* the square roots of x, y, z in the last duplication */
     vm_real lambda;  /* a b + b c + c a in the last duplication */
@@ -3268,11 +3279,13 @@ typedef struct VM_TAG(vmi_carlson) {
 /* Returns the numbers of vmi_carlson before the first duplication of x, y, z. */
 VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
 {
+    const vm_two part = vmi_two_sum(x, y), sum = vmi_two_sum(part.hi, z);
     vmi_carlson s;
     s.x = x;
     s.y = y;
     s.z = z;
-    s.mean = (x + y + z) * VM_C(0.3333333333333333333);
+    s.mean = sum.hi * VM_C(0.3333333333333333333);
+    s.rest = (((sum.hi - 2 * s.mean) - s.mean) + (sum.lo + part.lo)) * VM_C(0.3333333333333333333);
     s.X = s.mean - x;
     s.Y = s.mean - y;
     s.a = s.b = s.c = s.lambda = 0;
@@ -3297,6 +3310,7 @@ VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
     s->y = (s->y + s->lambda) * VM_C(0.25);
     s->z = (s->z + s->lambda) * VM_C(0.25);
     s->mean = (s->mean + s->lambda) * VM_C(0.25);
+    s->rest *= VM_C(0.25);
     s->X *= VM_C(0.25);
     s->Y *= VM_C(0.25);
 }
@@ -3332,10 +3346,11 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
         high = (five + six) + ((seven + eight) + (nine + ten));
     }
 #endif
+    low -= s->rest / (2 * s->mean);
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* Returns R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
+/* Returns R_J/3 from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
    T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
 {
@@ -3369,10 +3384,11 @@ VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
         sum += VM_C(0.1304347826086956522) * T;
     }
 #endif
-    return (1 + sum) / (s->mean * VM_SQRT(s->mean));
+    sum -= VM_C(1.5) * s->rest / s->mean;
+    return (1 + sum) / (3 * s->mean * VM_SQRT(s->mean));
 }
 
-/* Returns R_F(x, y, z), within 3 ulp, for arguments >= 0 of which at most one is 0. */
+/* Returns R_F(x, y, z), within 5 ulp, for arguments >= 0 of which at most one is 0. */
 VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -3384,19 +3400,29 @@ VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
     return vmi_carlson_first(&s);
 }
 
-/* Returns R_F(x, y, z), and R_D(x, y, z) in *rd, for z > 0 and arguments of which at most one is 0. One sequence of
-   duplications serves both; each duplication adds a positive term to R_D (DLMF 19.26.20). */
-VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
+/* Adds a term to a sum. The rounding errors of the sum are collected in its low word. */
+VM_INLINE void vmi_carlson_add(vm_two *sum, vm_real term)
+{
+    const vm_two more = vmi_two_sum(sum->hi, term);
+    sum->hi = more.hi;
+    sum->lo += more.lo;
+}
+
+/* Returns R_F(x, y, z), and R_D(x, y, z)/3 in *third, for z > 0 and arguments of which at most one is 0. One sequence
+   of duplications serves both. Each duplication adds a positive term to R_D/3, which is 1/(c (z + lambda)) times a
+   power of 4 (DLMF 19.26.20); z + lambda is (c + a)(c + b). */
+VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *third)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
-    vm_real spread = vmi_carlson_spread(&s), power = 1, sum = 0;
+    vm_real spread = vmi_carlson_spread(&s), power = 1;
+    vm_two sum = vmi_two(0, 0);
     while (spread > VMI_CARLSON_CLOSE * s.mean) {
         vmi_carlson_duplicate(&s);
         spread *= VM_C(0.25);
-        sum += power / (4 * s.c * s.z); /* 4 s.z is z + lambda, where z is its value before this duplication */
+        vmi_carlson_add(&sum, power / (s.c * vmi_two_times(vmi_two_sum(s.c, s.a), vmi_two_sum(s.c, s.b)).hi));
         power *= VM_C(0.25);
     }
-    *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);
+    *third = sum.hi + (sum.lo + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean));
     return vmi_carlson_first(&s);
 }
 
@@ -3416,19 +3442,27 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* Returns R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y
-   = 1 it is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
-VM_API vm_real vmi_rc_of_1(vm_real y)
+/* Returns R_C(1, y) for y > 0 from both y and e = y - 1. With r = sqrt(|e|) it is arctan(r)/r for y > 1 and
+   artanh(r)/r, which is (ln(1 + r) - ln(y)/2)/r, for y < 1. Next to y = 1 it is computed by vmi_rc_series after one
+   duplication, which divides e by (1 + sqrt(y))^2. */
+VM_API vm_real vmi_rc_of_1(vm_real y, vm_real e)
 {
-    const vm_real e = y - 1;
     vm_real root;
     if (VM_FABS(e) < VM_C(0.18)) {
-        const vm_real sum = 1 + VM_SQRT(y);
-        return 2 * vmi_rc_series(e / (sum * sum)) / sum;
+        const vm_real both = 1 + VM_SQRT(y);
+        return 2 * vmi_rc_series(e / (both * both)) / both;
     }
     root = VM_SQRT(VM_FABS(e));
     if (e > 0) return vmi_arctan(root, 1) / root;
-    return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
+    return (vmi_two_log(vmi_two_sum(1, root)).hi - vmi_log(y).hi / 2) / root;
+}
+
+/* Returns R_C(x, y) for x >= 0 and y > 0 from x, y and e = y - x. If x, y and e have small relative errors, so has the
+   result. */
+VM_API vm_real vmi_rc_apart(vm_real x, vm_real y, vm_real e)
+{
+    if (e > x) return vmi_arctan(VM_SQRT(e), VM_SQRT(x)) / VM_SQRT(e);
+    return vmi_rc_of_1(y / x, e / x) / VM_SQRT(x);
 }
 
 /* Returns R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
@@ -3440,31 +3474,35 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
         x -= y;
         y = -y;
     }
-    if (2 * x < y) return factor * (vmi_arctan(VM_SQRT(y - x), VM_SQRT(x)) / VM_SQRT(y - x));
-    return factor * (vmi_rc_of_1(y / x) / VM_SQRT(x));
+    return factor * vmi_rc_apart(x, y, y - x);
 }
 
-/* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The
-   arguments should be about 1, because d below, which grows as their power 3/2, must neither overflow nor underflow.
-   Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and
-   r = sqrt(p).
-   1 + e is computed as 2 r (p + lambda)/d, so that no subtraction loses digits. */
-VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
+/* Returns R_F(x, y, z), and R_J(x, y, z, p)/3 in *third, for p > 0 and arguments x, y, z >= 0 of which at most one is
+   0. The arguments should be about 1, because d below, which grows as their power 3/2, must neither overflow nor
+   underflow. Each duplication adds 2/d R_C(1, 1 + e), times a power of 4, to R_J/3 (DLMF 19.26.21 and Carlson 1995).
+   Here d = (r + a)(r + b)(r + c) and r = sqrt(p). d is computed as r p + p (a + b + c) + r lambda + a b c, which has
+   fewer rounding errors. Both 1 + e = 2 r (p + lambda)/d and e = (r - a)(r - b)(r - c)/d are computed, so that
+   neither loses digits. */
+VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *third)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
-    vm_real P = s.mean - p, spread = vmi_larger(vmi_carlson_spread(&s), VM_FABS(P)), power = 1, sum = 0;
+    vm_real P = s.mean - p, spread = vmi_larger(vmi_carlson_spread(&s), VM_FABS(P)), power = 1;
+    vm_two sum = vmi_two(0, 0);
     while (spread > VMI_CARLSON_CLOSE * s.mean) {
         const vm_real r = VM_SQRT(p);
-        vm_real d;
+        vm_real d, per_d, e;
         vmi_carlson_duplicate(&s);
-        d = (r + s.a) * (r + s.b) * (r + s.c);
-        sum += power / d * vmi_rc_of_1(2 * r * (p + s.lambda) / d);
-        p = (p + s.lambda) * VM_C(0.25);
+        d = r * p + (p * (s.a + s.b + s.c) + (r * s.lambda + s.a * s.b * s.c));
+        per_d = 1 / d;
+        e = (r - s.a) * ((r - s.b) * (r - s.c)) * per_d;
+        p += s.lambda;
+        vmi_carlson_add(&sum, 2 * power * per_d * vmi_rc_of_1(2 * r * p * per_d, e));
+        p *= VM_C(0.25);
         P *= VM_C(0.25);
         spread *= VM_C(0.25);
         power *= VM_C(0.25);
     }
-    *rj = 6 * sum + power * vmi_carlson_third(&s, P / s.mean);
+    *third = sum.hi + (sum.lo + power * vmi_carlson_third(&s, P / s.mean));
     return vmi_carlson_first(&s);
 }
 
@@ -3487,38 +3525,56 @@ VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
 }
 
 /* Returns R_F(x, y, z), and the product of `weight` and R_D(x, y, z)/3 in *third, for arguments of any size, of which
-   the largest is `top`. R_D itself may overflow or underflow if this product does not. */
-VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_real weight, vm_real *third)
+   the largest is `top`. R_D itself may overflow or underflow if this product does not. The product has two words, so
+   that it is not rounded before it is used. */
+VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_two weight, vm_two *third)
 {
     vmi_carlson_scale by;
     vm_real rf, rd;
     if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
         rf = vmi_rf_rd(x, y, z, &rd);
-        *third = weight * rd * VM_C(0.3333333333333333333);
+        *third = vmi_two_scaled(weight, rd);
         return rf;
     }
     by = vmi_carlson_scale_of(top);
     rf = vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
-    *third = by.root * (by.root * weight) * (by.root * rd) * VM_C(0.3333333333333333333);
+    *third = vmi_two(by.root * (by.root * weight.hi) * (by.root * rd), 0);
     return by.root * rf;
 }
 
+/* In vmi_rf_rj_weighted the largest argument is brought to about 1/VMI_CARLSON_ROOM = 2^100 (float 2^20), not to 1. Its
+   product with roots of the smallest arguments then does not underflow. */
+#if VM_MANT_DIG > 24
+#define VMI_CARLSON_ROOM VM_C(7.8886090522101181e-31)
+#else
+#define VMI_CARLSON_ROOM VM_C(9.5367431640625e-7)
+#endif
+
 /* Returns R_F(x, y, z), and the product of `weight` and R_J(x, y, z, p)/3 in *third, for arguments of any size, of
-   which the largest is `top`. R_J itself may overflow or underflow if this product does not. */
+   which the largest is `top`. R_J itself may overflow or underflow if this product does not. The product has two words,
+   so that it is not rounded before it is used. */
 VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
-                                  vm_real *third)
+                                  vm_two *third)
 {
     vmi_carlson_scale by;
     vm_real rf, rj;
     if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
         rf = vmi_rf_rj(x, y, z, p, &rj);
-        *third = weight * (rj * VM_C(0.3333333333333333333));
+        *third = vmi_two_product(weight, rj);
         return rf;
     }
-    by = vmi_carlson_scale_of(top);
+    by = vmi_carlson_scale_of(top * VMI_CARLSON_ROOM);
     rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
-    *third = by.root * (by.root * weight) * (by.root * rj) * VM_C(0.3333333333333333333);
+    *third = vmi_two(by.root * (by.root * weight) * (by.root * rj), 0);
     return by.root * rf;
+}
+
+/* Returns s (first + second) for numbers in two words, with two roundings. */
+VM_INLINE vm_real vmi_times_sum(vm_two s, vm_two first, vm_two second)
+{
+    vm_two sum = vmi_two_sum(first.hi, second.hi);
+    sum.lo += first.lo + second.lo;
+    return s.hi * sum.hi + (s.hi * sum.lo + s.lo * sum.hi);
 }
 
 /* Returns 1 if x > 0 is so much smaller than the largest argument that the scale makes it subnormal or 0, else 0. */
@@ -3597,7 +3653,7 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     by = vmi_carlson_scale_of(largest);
     if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
     vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
-    return by.root * (by.root * (by.root * rd));
+    return by.root * (by.root * (by.root * (3 * rd)));
 }
 
 /* Returns R_J(x, y, z, p) for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is
@@ -3607,7 +3663,7 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
     vm_real rf, rj, rest;
     rf = vmi_rf_rj(x, y, z, other, &rj);
-    rest = (other - z) * rj - 3 * rf;
+    rest = 3 * ((other - z) * rj - rf);
     return (rest + 3 * VM_SQRT(x * y * z / product) * vmi_rc(product, other * q)) / (z + q);
 }
 
@@ -3631,7 +3687,10 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     y *= by.factor;
     z *= by.factor;
     p *= by.factor;
-    if (p > 0) vmi_rf_rj(x, y, z, p, &rj);
+    if (p > 0) {
+        vmi_rf_rj(x, y, z, p, &rj);
+        rj *= 3;
+    }
     else if (x == by.factor * top) rj = vmi_rj_principal(y, z, x, p);
     else if (y == by.factor * top) rj = vmi_rj_principal(z, x, y, p);
     else rj = vmi_rj_principal(x, y, z, p);
@@ -3655,7 +3714,7 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
     middle *= by.factor;
     high = by.factor * largest;
     rf = vmi_rf_rd(low, high, middle, &rd);
-    rd *= (high - middle) * (middle - low) * VM_C(0.3333333333333333333);
+    rd *= (high - middle) * (middle - low);
     return (middle * rf + rd + VM_SQRT(low * high / middle)) / (2 * by.root);
 }
 
@@ -3716,7 +3775,7 @@ VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 typedef struct VM_TAG(vmi_above) {
     vm_two s, c;   /* sin phi and cos phi */
     vm_real cc;    /* cos^2 phi */
-    vm_real share; /* (m - 1) sin^2 phi, the difference cc - d */
+    vm_two share;  /* (m - 1) sin^2 phi, the difference cc - d */
     vm_real d;     /* 1 - m sin^2 phi = cc - share; d is below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
@@ -3748,8 +3807,8 @@ VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
         vmi_two_sin_cos(z, &angle.c, &angle.s);
     }
     root = vmi_root_times_sine(m1, &angle);
-    angle.cc = angle.c.hi * angle.c.hi;
-    angle.share = root.hi * root.hi;
+    angle.cc = vmi_two_times(angle.c, angle.c).hi;
+    angle.share = vmi_two_times(root, root);
     angle.d = vmi_difference_of_squares(angle.c, root);
     if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* |phi| is above pi/2 */
     return angle;
@@ -3769,35 +3828,36 @@ VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
 VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
-    vm_real rd, sum;
+    vm_real third;
     if (!(angle.d >= 0)) return VM_NAN;
-    vmi_rf_rd(angle.d, 1, angle.cc, &rd);
-    sum = VM_SQRT(angle.d / angle.cc) + angle.share * rd * VM_C(0.3333333333333333333);
-    return VM_COPYSIGN(angle.s.hi * sum, phi);
+    vmi_rf_rd(angle.d, 1, angle.cc, &third);
+    return VM_COPYSIGN(
+        vmi_times_sum(angle.s, vmi_two(VM_SQRT(angle.d / angle.cc), 0), vmi_two_scaled(angle.share, third)), phi);
 }
 
 /* Returns D(phi | m) for m > 1, which is s^3 R_D(cc, d, 1)/3 with the fields s, cc, d of vmi_above. */
 VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
-    const vm_real s = angle.s.hi;
-    vm_real rd;
+    const vm_two cube = vmi_two_times(vmi_two_times(angle.s, angle.s), angle.s);
+    vm_real third;
     if (!(angle.d >= 0)) return VM_NAN;
-    vmi_rf_rd(angle.cc, angle.d, 1, &rd);
-    return VM_COPYSIGN(s * (s * s * rd * VM_C(0.3333333333333333333)), phi);
+    vmi_rf_rd(angle.cc, angle.d, 1, &third);
+    return VM_COPYSIGN(vmi_two_scaled(cube, third).hi, phi);
 }
 
-/* Returns Pi(n; phi | m) for m > 1 and n < 0. The reciprocal transformation leads to the parameter 1/m and the
-   characteristic n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF 19.7.9), so that all terms are
-   positive. The variable q is 1 - N m s^2 with s = sin phi. */
-VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1)
+/* Returns Pi(n; phi | m) for m > 1 and n < 0, where p is 1 - n s^2 and s is sin phi. The reciprocal transformation
+   leads to the parameter 1/m and the characteristic n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF
+   19.7.9), so that all terms are positive. Here q is 1 - N m s^2, and `gap` is p q - cos^2 phi. */
+VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1, vm_real p)
 {
     const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
-    const vm_real p = angle->cc + (1 - n) * s * s, weight = -m1 / m * per * (angle->share + s * s);
-    const vm_real q = angle->d + weight;
-    vm_real third;
+    const vm_real weight = -m1 / m * per * (angle->share.hi + s * s), q = angle->d + weight;
+    const vm_real gap = -ratio * per * (1 - n) * s * s * angle->d;
+    vm_two third, sum;
     const vm_real rf = vmi_rf_rj_weighted(angle->cc, angle->d, 1, q, 1, weight, &third);
-    return s * (rf * per - ratio * per * (VM_SQRT(angle->d) * vmi_rc(angle->cc, p * q) + third));
+    sum = vmi_two_plus(vmi_two_product(VM_SQRT(angle->d), vmi_rc_apart(angle->cc, p * q, gap)), third);
+    return vmi_times_sum(angle->s, vmi_two(rf * per, 0), vmi_two_scaled(sum, ratio / (ratio - 1)));
 }
 
 /* Returns Pi(n; phi | m) for m > 1 and a finite n. With s = sin phi, p = 1 - n s^2 is computed in two words, since it
@@ -3808,18 +3868,20 @@ VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
     const vmi_above angle = vmi_above_of(phi, m1);
     const vm_two less = vmi_two_sum(n, -1), root = vmi_root_times_sine(less, &angle);
     const vm_real s = angle.s.hi;
-    vm_real p = angle.cc + root.hi * root.hi, q, rf, third;
+    vm_real p = angle.cc + root.hi * root.hi, q, rf;
+    vm_two third;
     if (!(angle.d >= 0)) return VM_NAN;
-    if (n < 0) return VM_COPYSIGN(vmi_Pi_above_negative(&angle, n, m, m1.hi), phi);
+    if (n < 0) return VM_COPYSIGN(vmi_Pi_above_negative(&angle, n, m, m1.hi, p), phi);
     if (n > 1) p = vmi_difference_of_squares(angle.c, root);
     if (p == 0) return VM_COPYSIGN(VM_INFINITY, phi);
     if (p > 0) {
         rf = vmi_rf_rj_weighted(angle.cc, angle.d, 1, p, 1, n * s * s, &third);
-        return VM_COPYSIGN(s * (rf + third), phi);
+        return VM_COPYSIGN(vmi_times_sum(angle.s, vmi_two(rf, 0), third), phi);
     }
     q = angle.cc + vmi_two_plus(less, m1).hi / n * s * s;
     vmi_rf_rj_weighted(angle.cc, angle.d, 1, q, 1, m / n * s * s, &third);
-    return VM_COPYSIGN((vm_real)1, phi) * (s * (vmi_rc(angle.cc * angle.d, p * q) - third));
+    rf = vmi_rc(angle.cc * angle.d, p * q);
+    return VM_COPYSIGN((vm_real)1, phi) * vmi_times_sum(angle.s, vmi_two(rf, 0), vmi_minus(third));
 }
 
 #endif
@@ -3845,7 +3907,7 @@ VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
     vm_real turns; /* phi = turns pi/2 + theta: an integral from 0 to phi contains `turns` complete integrals */
-    vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
+    vm_two s, c;   /* sin theta and cos theta, each within 0.4 ulp */
 } vmi_angle;
 
 /* Reduces the finite angle phi. Where phi is so large that its digits do not determine theta, turns is 2 phi/pi and
@@ -3856,7 +3918,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     const vm_real x = VM_FABS(phi), count = x * VM_C(0.6366197723675813431), j = VM_FLOOR(count + VM_C(0.5));
     vm_two rest = vmi_two(x, 0);
     vmi_angle angle;
-    vm_real sine, cosine;
+    vm_two sine, cosine;
     angle.turns = 0;
     if (j > 0) {
         const vm_two p = vmi_two_product(j, half_pi.hi), sum = vmi_two_sum(x - p.hi, -p.lo);
@@ -3868,18 +3930,18 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
         angle.turns = count;
         rest = vmi_two(0, 0);
     }
-    vmi_sin_cos(rest, &sine, &cosine);
+    vmi_sin_cos_words(rest, &sine, &cosine);
     angle.s = sine;
     angle.c = cosine;
     if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta is rest + pi/2 or rest - pi/2 */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         angle.turns = j + side;
-        angle.s = -side * cosine;
-        angle.c = VM_FABS(sine);
+        angle.s = vmi_two_shifted(cosine, -side);
+        angle.c = vmi_two_shifted(sine, side);
     }
     if (phi < 0) {
         angle.turns = -angle.turns;
-        angle.s = -angle.s;
+        angle.s = vmi_minus(angle.s);
     }
     return angle;
 }
@@ -3889,6 +3951,15 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
+}
+
+/* Returns turns complete + part, an integral from 0 to phi, with one rounding where the terms are not huge.
+   `complete` is the integral from 0 to pi/2, `part` the integral from 0 to theta. */
+VM_INLINE vm_real vmi_with_turns(vm_real turns, vm_real complete, vm_real part)
+{
+    const int safe = VM_FABS(turns) < 1 / VM_EPSILON && VM_FABS(complete) < VM_MAX * VM_EPSILON;
+    if (safe) return vmi_two_plus(vmi_two_product(turns, complete), vmi_two(part, 0)).hi;
+    return turns * complete + part;
 }
 
 /* Returns F(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
@@ -3904,11 +3975,11 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
         return VM_NAN;
     }
     angle = vmi_angle_of(phi);
-    cc = angle.c * angle.c;
-    ss = angle.s * angle.s;
-    part = angle.s * vmi_rf(cc, cc + m1 * ss, 1);
+    cc = angle.c.hi * angle.c.hi;
+    ss = angle.s.hi * angle.s.hi;
+    part = angle.s.hi * vmi_rf(cc, cc + m1 * ss, 1);
     if (angle.turns == 0) return part;
-    return angle.turns * vmi_K(m1, m1_lo) + part;
+    return vmi_with_turns(angle.turns, vmi_K(m1, m1_lo), part);
 }
 
 /* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
@@ -3926,19 +3997,23 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_F. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
+/* Returns x^2 for a number in two words, with two roundings. */
+VM_INLINE vm_real vmi_squared(vm_two x) { return x.hi * x.hi + 2 * x.hi * x.lo; }
+
 /* Returns E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
    arguments, so that each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are
    positive (DLMF 19.25.9-10). */
-VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
+VM_API vm_real vmi_E_part(vm_two s, vm_two c, vm_real m, vm_real m1)
 {
-    const vm_real cc = c * c, ss = s * s, dd = cc + m1 * ss;
-    vm_real rf, rd, third;
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), dd = cc + m1 * ss;
+    vm_real rf, rd;
+    vm_two third;
     if (m < 0) {
-        rf = vmi_rf_rd_weighted(cc, dd, 1, vmi_larger(dd, 1), m * ss, &third);
-        return s * (rf - third);
+        rf = vmi_rf_rd_weighted(cc, dd, 1, vmi_larger(dd, 1), vmi_two(-m * ss, 0), &third);
+        return vmi_times_sum(s, vmi_two(rf, 0), third);
     }
     rf = vmi_rf_rd(cc, 1, dd, &rd);
-    return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
+    return vmi_times_sum(s, vmi_two_product(m1, rf + m * ss * rd), vmi_two_product(m, c.hi / VM_SQRT(dd)));
 }
 
 /* Returns E(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
@@ -3955,7 +4030,7 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     angle = vmi_angle_of(phi);
     part = vmi_E_part(angle.s, angle.c, m, m1);
     if (angle.turns == 0) return part;
-    return angle.turns * vmi_E(m1, m1_lo) + part;
+    return vmi_with_turns(angle.turns, vmi_E(m1, m1_lo), part);
 }
 
 /* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
@@ -3987,23 +4062,23 @@ VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 
 /* Returns D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. It is
    s^3 R_D(c^2, 1 - m s^2, 1)/3. */
-VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
+VM_API vm_real vmi_D_part(vm_two s, vm_two c, vm_real m1)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
-    vm_real third;
-    vmi_rf_rd_weighted(cc, d, 1, vmi_larger(d, 1), ss, &third);
-    return s * third;
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
+    vm_two third;
+    vmi_rf_rd_weighted(cc, d, 1, vmi_larger(d, 1), vmi_two_scaled(s, ss), &third);
+    return third.hi;
 }
 
 /* Returns D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With
    d = 1 - m s^2 it is c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
-VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
+VM_API vm_real vmi_D_complement(vm_two s, vm_two c, vm_real m1)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, lift = vmi_lift_of(m1 * ss, m1), more = lift * lift;
-    const vm_real y = more * m1, z = more * d;
-    vm_real third;
-    vmi_rf_rd_weighted(y * ss, y, z, lift > 1 ? 1 : vmi_larger(z, y), more * cc, &third);
-    return c * (s / VM_SQRT(d) + lift * third);
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
+    const vm_real lift = vmi_lift_of(m1 * ss, m1), more = lift * lift, y = more * m1, z = more * d;
+    vm_two third;
+    vmi_rf_rd_weighted(y * ss, y, z, lift > 1 ? 1 : vmi_larger(z, y), vmi_two(more * cc, 0), &third);
+    return vmi_times_sum(c, vmi_two(s.hi / VM_SQRT(d), 0), vmi_two_shifted(third, lift));
 }
 
 /* Returns D(m) for m1 = 1 - m. */
@@ -4012,7 +4087,7 @@ VM_API vm_real vmi_D(vm_real m1)
     if (!(m1 >= 0)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
     if (!VM_IS_FINITE(m1)) return 0;
-    return vmi_D_part(1, 0, m1);
+    return vmi_D_part(vmi_two(1, 0), vmi_two(0, 0), m1);
 }
 
 /* D(m) = (K(m) - E(m))/m, the complete elliptic integral D, for m <= 1. The error is at most 8 ulp for m >= -1e300
@@ -4028,7 +4103,8 @@ VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
-    vm_real s, turns, sum;
+    vm_real turns, sum;
+    vm_two s;
     if (m1 < 0) return vmi_D_above(phi, vmi_two(m1, m1_lo));
     if (vmi_incomplete_special(phi, m1)) {
         if (!(m1 >= 0) || phi != phi) return VM_NAN;
@@ -4038,10 +4114,10 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
     }
     angle = vmi_angle_of(VM_FABS(phi));
     turns = angle.turns;
-    s = VM_FABS(angle.s);
+    s = angle.s.hi < 0 ? vmi_minus(angle.s) : angle.s;
     if (turns == 0) sum = vmi_D_part(s, angle.c, m1);
-    else if (turns == 2 && angle.s < 0 && m1 > 0) sum = vmi_D(m1) + vmi_D_complement(s, angle.c, m1);
-    else sum = turns * vmi_D(m1) + VM_COPYSIGN(vmi_D_part(s, angle.c, m1), angle.s);
+    else if (turns == 2 && angle.s.hi < 0 && m1 > 0) sum = vmi_D(m1) + vmi_D_complement(s, angle.c, m1);
+    else sum = vmi_with_turns(turns, vmi_D(m1), VM_COPYSIGN(vmi_D_part(s, angle.c, m1), angle.s.hi));
     return VM_COPYSIGN(sum, phi);
 }
 
@@ -4072,28 +4148,31 @@ VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
    p = 1 - n s^2 and d = 1 - m s^2. There are three formulas. Each is a sum of positive terms, except for one term of
    the third formula with m > 0.
      n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
-            1 - N s^2 = c^2 + s^2 m1/(1 - n);
+            1 - N s^2 = c^2 + s^2 m1/(1 - n). R_C depends on `gap`, the difference p q - d, which is -n N s^2 c^2;
      0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
      p < 0: m/n replaces n (DLMF 19.7.8), q = 1 - s^2 m/n, and R_C has its principal value. */
-VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m1)
+VM_API vm_real vmi_Pi_part(vm_two s, vm_two c, vm_real n, vm_real m, vm_real m1)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, top = vmi_larger(d, 1);
-    vm_real p = cc + (1 - n) * ss, q, share, rf, third;
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss, top = vmi_larger(d, 1);
+    const vm_real p = cc + (1 - n) * ss;
+    vm_real q, share, rf, gap;
+    vm_two third, sum;
     if (n < 0) {
-        p = 1 - n * ss;
         share = m1 / (1 - n);
         q = cc + share * ss;
+        gap = n / (1 - n) * (n - m) * ss * cc;
         rf = vmi_rf_rj_weighted(cc, d, 1, q, top, share * ss, &third);
-        return s * (rf / (1 - n) + n / (n - 1) * (c * vmi_rc(d, p * q) + third));
+        sum = vmi_two_plus(vmi_two_product(c.hi, vmi_rc_apart(d, p * q, gap)), third);
+        return vmi_times_sum(s, vmi_two(rf / (1 - n), 0), vmi_two_scaled(sum, n / (n - 1)));
     }
     if (p > 0) {
         rf = vmi_rf_rj_weighted(cc, d, 1, p, top, n * ss, &third);
-        return s * (rf + third);
+        return vmi_times_sum(s, vmi_two(rf, 0), third);
     }
-    if (p == 0) return VM_COPYSIGN(VM_INFINITY, s);
+    if (p == 0) return VM_COPYSIGN(VM_INFINITY, s.hi);
     q = cc + vmi_share_below_pole(n, m1) * ss;
     vmi_rf_rj_weighted(cc, d, 1, q, top, m / n * ss, &third);
-    return s * (vmi_rc(cc * d, p * q) - third);
+    return vmi_times_sum(s, vmi_two(vmi_rc(cc * d, p * q), 0), vmi_minus(third));
 }
 
 /* Returns Pi(n | m) for n < 0 and m1 = 1 - m > 0. The factor `lift`, a power of 2 from vmi_lift_of, keeps numbers from
@@ -4103,18 +4182,20 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
-    vm_real rf, third;
+    vm_real rf;
+    vm_two third;
     if (lift > 1 && n < -1000 / (VM_EPSILON * VM_EPSILON))
         return VM_PI / 2 / VM_SQRT(1 - n) + vmi_K(m1, 0) / (1 - n);
     rf = vmi_rf_rj_weighted(0, more * m1, more, share, lift > 1 ? 1 : more * vmi_larger(m1, 1), share, &third);
-    return lift * (rf / (1 - n) + n / (n - 1) * third);
+    return lift * vmi_two_plus(vmi_two(rf / (1 - n), 0), vmi_two_scaled(third, n / (n - 1))).hi;
 }
 
 /* Returns Pi(n | m), from both m and m1 = 1 - m. The three cases of n are those of vmi_Pi_part for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
-    vm_real rf, third;
+    vm_real rf;
+    vm_two third;
     if (!(m1 >= 0) || n != n) return VM_NAN;
     if (!VM_IS_FINITE(n) || !VM_IS_FINITE(m1)) {
         if (VM_IS_FINITE(n) && n < 1) return 0; /* m is -infinity */
@@ -4126,10 +4207,10 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
     if (n < 0) return vmi_Pi_negative(n, m1);
     if (n < 1) {
         rf = vmi_rf_rj_weighted(0, m1, 1, 1 - n, top, n, &third);
-        return rf + third;
+        return vmi_two_plus(vmi_two(rf, 0), third).hi;
     }
     vmi_rf_rj_weighted(0, m1, 1, vmi_share_below_pole(n, m1), top, m / n, &third);
-    return 0 - third;
+    return 0 - third.hi;
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
@@ -4142,21 +4223,23 @@ VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
    Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi
-   be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to
-   psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for
-   all n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
-VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
+/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let
+   psi be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from
+   0 to psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). It is the sum of a term with R_F and a
+   term with R_J. For n > 0 the term with R_J is negative, so that the sum has larger errors than its terms. The other
+   way to Pi(n; pi - theta | m), 2 Pi(n | m) - Pi(n; theta | m), has smaller errors if the term with R_F is larger
+   than Pi(n | m), which is the argument `complete`. *exact becomes 0 then, else 1. */
+VM_API vm_real vmi_Pi_complement(vm_two s, vm_two c, vm_real n, vm_real m1, vm_real complete, int *exact)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
     const vm_real least = vmi_smaller(ss, 1 / (1 - n)) * m1, lift = vmi_lift_of(least, m1);
     const vm_real more = lift * lift;
     const vm_real y = more * m1, z = more * d, share = y / (1 - n), p = y * ss + share * cc;
-    vm_real rf, third;
-    *exact = n <= 0 || share * cc <= y * ss;
-    if (!*exact) return 0; /* the result is not used */
-    rf = vmi_rf_rj_weighted(y * ss, y, z, p, lift > 1 ? 1 : vmi_larger(z, y), n * share * cc, &third);
-    return lift * (c * (rf - third) / (1 - n));
+    const vm_real top = lift > 1 ? 1 : vmi_larger(z, y);
+    vm_two third;
+    const vm_real rf = vmi_rf_rj_weighted(y * ss, y, z, p, top, -n * share * cc, &third);
+    *exact = lift * (c.hi * rf / (1 - n)) <= complete;
+    return lift * (vmi_times_sum(c, vmi_two(rf, 0), third) / (1 - n));
 }
 
 /* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, the difference
@@ -4175,15 +4258,16 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
         return VM_NAN;
     }
     angle = vmi_angle_of(phi);
-    if (VM_FABS(angle.turns) == 2 && angle.s * angle.turns < 0 && n < 1 && m1 > 0) {
-        const vm_real half = vmi_Pi(n, m, m1);
+    if (VM_FABS(angle.turns) == 2 && angle.s.hi * angle.turns < 0 && n < 1 && m1 > 0) {
+        const vm_two s = angle.s.hi < 0 ? vmi_minus(angle.s) : angle.s;
+        const vm_real complete = vmi_Pi(n, m, m1);
         int exact;
-        part = vmi_Pi_complement(VM_FABS(angle.s), angle.c, n, m1, &exact);
-        if (exact) return VM_COPYSIGN(half + part, phi);
+        part = vmi_Pi_complement(s, angle.c, n, m1, complete, &exact);
+        if (exact) return VM_COPYSIGN(complete + part, phi);
     }
     part = vmi_Pi_part(angle.s, angle.c, n, m, m1);
     if (angle.turns == 0) return part;
-    return angle.turns * vmi_Pi(n, m, m1) + part;
+    return vmi_with_turns(angle.turns, vmi_Pi(n, m, m1), part);
 }
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in

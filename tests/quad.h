@@ -56,6 +56,76 @@ static inline void sncndn(quad u, quad m1, quad *sn, quad *cn, quad *dn)
     *dn = d / q;
 }
 
+/* ---- Elliptic integrals: Carlson's R_F and R_J with his series of degree 5, after more duplications than the headers
+   make, in the sums that DLMF 19.25 gives ---- */
+
+static inline quad largest_of(quad a, quad b, quad c, quad d)
+{
+    return fmaxq(fmaxq(fabsq(a), fabsq(b)), fmaxq(fabsq(c), fabsq(d)));
+}
+
+static inline quad carlson_rf(quad x, quad y, quad z)
+{
+    for (;;) {
+        quad mean = (x + y + z) / 3, X = 1 - x / mean, Y = 1 - y / mean, Z = -(X + Y);
+        quad a = sqrtq(x), b = sqrtq(y), c = sqrtq(z), lambda = a * b + b * c + c * a;
+        if (!(largest_of(X, Y, Z, 0) >= 1e-6Q)) {
+            quad E2 = X * Y - Z * Z, E3 = X * Y * Z;
+            return (1 - E2 / 10 + E3 / 14 + E2 * E2 / 24 - 3 * E2 * E3 / 44) / sqrtq(mean);
+        }
+        x = (x + lambda) / 4;
+        y = (y + lambda) / 4;
+        z = (z + lambda) / 4;
+    }
+}
+
+/* R_C(1, 1 + e) */
+static inline quad carlson_rc(quad e)
+{
+    quad r = sqrtq(fabsq(e));
+    if (r < 1e-4Q) return 1 - e / 3 + e * e / 5 - e * e * e / 7 + e * e * e * e / 9;
+    return e > 0 ? atanq(r) / r : (log1pq(r) - log1pq(-r)) / (2 * r);
+}
+
+static inline quad carlson_rj(quad x, quad y, quad z, quad p)
+{
+    quad sum = 0, power = 1;
+    for (;;) {
+        quad mean = (x + y + z + 2 * p) / 5, X = 1 - x / mean, Y = 1 - y / mean, Z = 1 - z / mean, P = -(X + Y + Z) / 2;
+        quad a = sqrtq(x), b = sqrtq(y), c = sqrtq(z), r = sqrtq(p), lambda = a * b + b * c + c * a;
+        quad d = (r + a) * (r + b) * (r + c);
+        if (!(largest_of(X, Y, Z, P) >= 1e-6Q)) {
+            quad E2 = X * Y + X * Z + Y * Z - 3 * P * P, E3 = X * Y * Z + 2 * E2 * P + 4 * P * P * P;
+            quad E4 = (2 * X * Y * Z + E2 * P + 3 * P * P * P) * P, E5 = X * Y * Z * P * P;
+            quad series = 1 - 3 * E2 / 14 + E3 / 6 + 9 * E2 * E2 / 88 - 3 * E4 / 22 - 9 * E2 * E3 / 52 + 3 * E5 / 26;
+            return 6 * sum + power * series / (mean * sqrtq(mean));
+        }
+        sum += power / d * carlson_rc((r - a) * (r - b) * (r - c) / d);
+        power /= 4;
+        x = (x + lambda) / 4;
+        y = (y + lambda) / 4;
+        z = (z + lambda) / 4;
+        p = (p + lambda) / 4;
+    }
+}
+
+/* F, E, D or Pi(n; .. | m) of the angle whose sine is s and whose cosine is c >= 0, for 1 - m = m1 and n < 1 */
+static inline quad elliptic_part(char kind, quad s, quad c, quad n, quad m1)
+{
+    quad ss = s * s, cc = c * c, d = cc + m1 * ss;
+    if (kind == 'F') return s * carlson_rf(cc, d, 1);
+    if (kind == 'E') return s * (carlson_rf(cc, d, 1) - (1 - m1) * ss * carlson_rj(cc, d, 1, 1) / 3);
+    if (kind == 'D') return s * ss * carlson_rj(cc, d, 1, 1) / 3;
+    return s * (carlson_rf(cc, d, 1) + n * ss * carlson_rj(cc, d, 1, cc + (1 - n) * ss) / 3);
+}
+
+static inline quad elliptic_integral(char kind, quad phi, quad n, quad m1)
+{
+    quad turns = rintq(phi / M_PIq), rest = phi - turns * M_PIq;
+    quad part = elliptic_part(kind, sinq(rest), cosq(rest), n, m1);
+    return turns == 0 ? part : part + 2 * turns * elliptic_part(kind, 1, 0, n, m1);
+}
+
 /* ---- Ateb: the two series of ateb.h, Newton's method; unknown v = sa, or z = -ln |ca|^(alpha+1) ---- */
 
 static inline quad series_w(quad w, quad k)

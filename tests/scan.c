@@ -108,6 +108,76 @@ static void scan_solver(double c)
                 (double)cr, 0);
 }
 
+/* ---- Elliptic integrals ---- */
+
+/* phi of one of four kinds: inside the first quarter, in the second one, far, next to the end of the quarter or, for
+   m > 1, next to the angle where the integrals end */
+static vm_real some_phi(int kind, double end)
+{
+    const double apart = log_uniform(-8, -1);
+    if (kind == 0) return (vm_real)(end * (drand48() < 0.5 ? drand48() : log_uniform(-3, 0)));
+    if (kind == 1) return (vm_real)(end * (1 - apart));
+    if (end < 1.57) return (vm_real)(end * drand48());
+    if (kind == 2) return (vm_real)uniform48(1.5709, 3.1415);
+    return (vm_real)(drand48() < 0.5 ? uniform48(0, 30) : end * (1 + apart));
+}
+
+/* Compares F, E, D and Pi at phi, n and the parameter m, or at m1 where `by_m1` is 1. */
+static void scan_integrals(const char *region, vm_real phi, vm_real n, vm_real m, vm_real m1, int by_m1)
+{
+    const quad exact_m1 = by_m1 ? (quad)m1 : 1 - (quad)m;
+    const double parameter = (double)(by_m1 ? m1 : m);
+    const quad s = sinq(phi);
+    if (n == 1 || exact_m1 == 0 || 1 - (1 - exact_m1) * s * s <= 0) return;
+    check_error("F(phi)", region, "ulp",
+                ulps(by_m1 ? jacobi_F_m1(phi, m1) : jacobi_F(phi, m), elliptic_integral('F', phi, 0, exact_m1)), 8,
+                (double)phi, parameter);
+    check_error("E(phi)", region, "ulp",
+                ulps(by_m1 ? jacobi_E_incomplete_m1(phi, m1) : jacobi_E_incomplete(phi, m),
+                     elliptic_integral('E', phi, 0, exact_m1)), 8, (double)phi, parameter);
+    check_error("D(phi)", region, "ulp",
+                ulps(by_m1 ? jacobi_D_incomplete_m1(phi, m1) : jacobi_D_incomplete(phi, m),
+                     elliptic_integral('D', phi, 0, exact_m1)), 8, (double)phi, parameter);
+    check_error(n < 0 ? "Pi(phi), n < 0" : "Pi(phi)", region, "ulp",
+                ulps(by_m1 ? jacobi_Pi_incomplete_m1(phi, n, m1) : jacobi_Pi_incomplete(phi, n, m),
+                     elliptic_integral('P', phi, n, exact_m1)), 8, (double)phi, (double)n);
+    if (exact_m1 < 0) return;
+    check_error("complete D", region, "ulp",
+                ulps(by_m1 ? jacobi_D_m1(m1) : jacobi_D(m), elliptic_part('D', 1, 0, 0, exact_m1)), 8, parameter, 0);
+    check_error(n < 0 ? "complete Pi, n < 0" : "complete Pi", region, "ulp",
+                ulps(by_m1 ? jacobi_Pi_m1(n, m1) : jacobi_Pi(n, m), elliptic_part('P', 1, 0, n, exact_m1)), 8,
+                (double)n, parameter);
+}
+
+/* Carlson's integrals of arguments between 10^-size and 10^size, one time in five with a zero */
+static void scan_carlson(const char *region, double size)
+{
+    const vm_real x = drand48() < 0.2 ? 0 : (vm_real)log_uniform(-size, size), y = (vm_real)log_uniform(-size, size);
+    const vm_real z = (vm_real)log_uniform(-size, size), p = (vm_real)log_uniform(-size, size);
+    check_error("R_F", region, "ulp", ulps(jacobi_RF(x, y, z), carlson_rf(x, y, z)), 8, (double)x, (double)y);
+    check_error("R_C", region, "ulp", ulps(jacobi_RC(x, y), carlson_rf(x, y, y)), 8, (double)x, (double)y);
+    check_error("R_D", region, "ulp", ulps(jacobi_RD(x, y, z), carlson_rj(x, y, z, z)), 8, (double)x, (double)y);
+    check_error("R_J", region, "ulp", ulps(jacobi_RJ(x, y, z, p), carlson_rj(x, y, z, p)), 8, (double)x, (double)y);
+}
+
+/* The integrals at a random phi and n for each region of m */
+static void scan_all_integrals(void)
+{
+    static const char *region[] = {"0 < m < 1", "m < 0",     "m << 0", "m near 1",
+                                   "m above 1", "1 < m < 5", "m >> 1", "m1"};
+    const double most = is_float ? 20 : 30;
+    const double m[] = {drand48(), -log_uniform(-3, 3), -log_uniform(3, most), 1 - log_uniform(-7, -1),
+                        1 + log_uniform(-6, -1), uniform48(1.001, 5), log_uniform(0.5, most), 0.5};
+    const double n[] = {drand48(), -log_uniform(-6, 6), 1 - log_uniform(-6, -1)};
+    int i;
+    for (i = 0; i < 8; i++) {
+        const vm_real parameter = (vm_real)m[i], m1 = (vm_real)log_uniform(-30, 0);
+        const double end = parameter > 1 ? asin(1 / sqrt((double)parameter)) : acos(0);
+        scan_integrals(region[i], some_phi((int)(4 * drand48()), end), (vm_real)n[(int)(3 * drand48())], parameter, m1,
+                       i == 7);
+    }
+}
+
 /* ---- Ateb ---- */
 
 /* The errors in eps for any s, and in ulp as far as |s| < 100 Pi. pi_error is the error of Pi_alpha, by its size. */
@@ -162,6 +232,9 @@ int main(int argc, char **argv)
                     K * floor(uniform48(1, 100)) * (1 + (is_float ? 1e-7 : 2e-16) * uniform48(-4, 4)));
         if (i % 10) continue;                            /* these are slow */
         part = fmod((double)i * 0.06180339887498949, 1); /* equidistributed */
+        scan_all_integrals();
+        scan_carlson("alike", 0.3);
+        scan_carlson("to 1e7", 7);
         scan_solver(i % 20 ? 0.5 + 2.5 * part : pow(10, 4.6 * part - 3));
         scan_ateb("2 alpha = 0, 1, ..., 14", (double)(i / 10 % 15) / 2, uniform48(-30, 30));
         alpha = (double)(vm_real)log_uniform(-4, 6);

@@ -692,6 +692,20 @@ static void test_no_time_and_backward(void)
     CHECK(strcmp(ode_strerror(ODE_MAX_STEPS), ode_strerror(-99)) != 0);
 }
 
+/* Counts of steps and evaluations stop at LONG_MAX; the run goes on as before. */
+static void test_largest_counts(void)
+{
+    vm_real y0[1] = {1}, work[RK45_WORK(1)], wanted;
+    rk45 s;
+    CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK && rk45_solve(&s, 2) == ODE_OK);
+    wanted = s.y[0];
+    CHECK(rk45_init(&s, time_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK);
+    s.steps = s.rejected = LONG_MAX;
+    s.evals = LONG_MAX - 3;
+    CHECK(rk45_solve(&s, 2) == ODE_OK && s.y[0] == wanted);
+    CHECK(s.steps == LONG_MAX && s.rejected == LONG_MAX && s.evals == LONG_MAX);
+}
+
 /* Two runs at once do not disturb each other. */
 static void test_reentrancy(void)
 {
@@ -736,6 +750,7 @@ int main(void)
     test_overflow();
     test_interrupted();
     test_no_time_and_backward();
+    test_largest_counts();
     test_reentrancy();
     return check_finish("adaptive");
 }

@@ -47,7 +47,16 @@ static void print_error(double error)
     else printf(" no number |");
 }
 
-/* The naive formula is to be worse than four bounds. In wider registers it may do better than its type can. */
+/* Returns 1 if the compiler fuses products with sums: then 1 - (1 + 2^-p) (1 - 2^-p) is 2^-2p, not 0. */
+static int is_fused(void)
+{
+    const volatile vm_real small = VM_EPSILON;
+    const vm_real above = 1 + small, below = 1 - small;
+    return 1 - above * below != 0;
+}
+
+/* The naive formula is to be worse than four bounds. In wider registers, and with fused operations, it may do better
+   than its type can. */
 static void check_case(const hard_case *c)
 {
     const double worse = 4 * c->bound;
@@ -75,7 +84,7 @@ static void check_case(const hard_case *c)
     print_error(naive);
     printf("%s%s\n", error <= c->bound ? "" : " OURS FAILED", naive > worse ? "" : " NAIVE GOOD");
     CHECK(error <= c->bound);
-    if (FLT_EVAL_METHOD == 0) CHECK(naive > worse);
+    if (FLT_EVAL_METHOD == 0 && !is_fused()) CHECK(naive > worse);
     else check_skipped++;
 }
 

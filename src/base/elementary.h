@@ -238,9 +238,10 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     return angle;
 }
 
-/* Computes the sine and the cosine of the angle z for |z| <= 0.79, a limit slightly above pi/4. |z.lo| must be at most
-   an ulp of z.hi. The sine is within 0.94 ulp, the cosine within 0.95 ulp. */
-VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
+/* Computes the sine and the cosine of the angle z in two words, for |z| <= 0.79, a limit slightly above pi/4. |z.lo|
+   must be at most an ulp of z.hi. The first word of the sine is within 0.94 ulp, that of the cosine within 0.95 ulp. Both
+   words together were within 0.34 ulp at 4 million random angles. */
+VM_INLINE void vmi_sin_cos_words(vm_two z, vm_two *sine, vm_two *cosine)
 {
     const vm_real t = z.hi * z.hi, tt = t * t, w = 1 - t / 2;
 #if VM_MANT_DIG > 24
@@ -256,8 +257,17 @@ VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
                       tt * (VM_C(-1.983925176e-4) + t * VM_C(2.717518782e-6));
     const vm_real C = VM_C(0.04166664556) + t * (VM_C(-1.388730248e-3) + t * VM_C(2.443077574e-5));
 #endif
-    *sine = z.hi + (z.hi * t * S + z.lo * w);
-    *cosine = w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
+    *sine = vmi_fast_two_sum(z.hi, z.hi * t * S + z.lo * w);
+    *cosine = vmi_fast_two_sum(w, ((1 - w) - t / 2) + (tt * C - z.hi * z.lo));
+}
+
+/* Computes the sine and the cosine of the angle z, as vmi_sin_cos_words does, in one word each. */
+VM_INLINE void vmi_sin_cos(vm_two z, vm_real *sine, vm_real *cosine)
+{
+    vm_two s, c;
+    vmi_sin_cos_words(z, &s, &c);
+    *sine = s.hi;
+    *cosine = c.hi;
 }
 
 /* Returns the integer nearest to x, for |x| < 2^15, and 0 if x is NaN. */

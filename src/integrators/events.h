@@ -269,7 +269,7 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
         if (e->times) e->times[e->count] = e->t;
         if (e->states) vmi_state_inside(s, x, e->states + e->count * s->n);
     }
-    e->count++;
+    e->count = vmi_count(e->count, 1);
     vmi_quieten_event(s, e, x);
 }
 
@@ -369,7 +369,7 @@ VM_API int vmi_cut_step(rk45 *s, vm_real x)
 VM_API int vmi_shorten_step(rk45 *s)
 {
     s->h = s->h_done / 4;
-    s->rejected++;
+    s->rejected = vmi_count(s->rejected, 1);
     s->failure = VMI_NOT_FINITE;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }

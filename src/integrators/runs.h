@@ -7,6 +7,8 @@
 #ifndef VARMASS_INTEGRATORS_RUNS_H
 #define VARMASS_INTEGRATORS_RUNS_H
 
+#include <limits.h>
+
 #include "../base/arrays.h"
 #include "../base/real.h"
 #include "ode.h"
@@ -19,7 +21,7 @@ typedef struct VM_TAG(rk45) {
     vm_real *y;           /* current state, n numbers (in work) */
     vm_real t_old;        /* the last accepted step is from t_old to t (rk45_interpolate); t_old is t after an error */
     vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
-    long steps;           /* number of accepted steps */
+    long steps;           /* number of accepted steps; these counts stop at LONG_MAX */
     long rejected;        /* number of rejected steps */
     long evals;           /* number of evaluations of f */
     long missed;          /* number of steps of the smallest size that were accepted above the tolerance */
@@ -134,10 +136,18 @@ VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_r
     }
 }
 
+/* Returns count + more for count >= 0, or LONG_MAX if this sum is larger. On many machines the type long has 32 bits, and
+   a long run may take more steps than such a number can count. */
+VM_API long vmi_count(long count, long more)
+{
+    if (more > 0 && count > LONG_MAX - more) return LONG_MAX;
+    return count + more;
+}
+
 /* Evaluates k = f(t, y) and counts this evaluation. Returns a status. */
 VM_API int vmi_eval(rk45 *s, vm_real t, const vm_real *y, vm_real *k)
 {
-    s->evals++;
+    s->evals = vmi_count(s->evals, 1);
     s->rhs_status = s->f(t, y, k, s->ctx);
     return s->rhs_status ? ODE_RHS_STOPPED : ODE_OK;
 }

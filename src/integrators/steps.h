@@ -167,9 +167,9 @@ VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
     s->h = p->h_next;
     s->h_done = p->h_done;
     s->inverse_error = p->inverse_error;
-    s->next_miss = s->steps + p->next_miss;
-    s->steps += p->steps;
-    s->rejected += p->rejected;
+    s->next_miss = vmi_count(s->steps, p->next_miss);
+    s->steps = vmi_count(s->steps, p->steps);
+    s->rejected = vmi_count(s->rejected, p->rejected);
     s->missed += p->missed;
     s->attempts = p->attempts;
     s->k1 = p->k1;
@@ -350,7 +350,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
         if (p.stiff_wait <= 0 || single || trial.last) break;
         vmi_copy(sys.n, last_k, sys.w + VMI_K * sys.m);
     }
-    s->evals += evals;
+    s->evals = vmi_count(s->evals, evals);
     vmi_store_progress(s, &p);
     return p.stopped ? (int)ODE_RHS_STOPPED : status;
 }
@@ -385,7 +385,7 @@ VM_API void vmi_take_back_step(rk45 *s)
     s->t = s->t_old;
     s->t_low = s->t_old_low;
     s->h = s->h_done;
-    if (s->missed > 0 && s->next_miss == s->steps + VMI_BETWEEN_MISSES) {
+    if (s->missed > 0 && s->next_miss - VMI_BETWEEN_MISSES == s->steps) {
         s->missed--;
         s->next_miss = 0;
     }

@@ -59,7 +59,7 @@ VM_API void vmi_two_sin_cos(vm_two z, vm_two *sine, vm_two *cosine)
 typedef struct VM_TAG(vmi_above) {
     vm_two s, c;   /* sin phi and cos phi */
     vm_real cc;    /* cos^2 phi */
-    vm_real share; /* (m - 1) sin^2 phi, the difference cc - d */
+    vm_two share;  /* (m - 1) sin^2 phi, the difference cc - d */
     vm_real d;     /* 1 - m sin^2 phi = cc - share; d is below 0 or NaN where the integrals have no real value */
 } vmi_above;
 
@@ -91,8 +91,8 @@ VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
         vmi_two_sin_cos(z, &angle.c, &angle.s);
     }
     root = vmi_root_times_sine(m1, &angle);
-    angle.cc = angle.c.hi * angle.c.hi;
-    angle.share = root.hi * root.hi;
+    angle.cc = vmi_two_times(angle.c, angle.c).hi;
+    angle.share = vmi_two_times(root, root);
     angle.d = vmi_difference_of_squares(angle.c, root);
     if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* |phi| is above pi/2 */
     return angle;
@@ -112,35 +112,36 @@ VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
 VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
-    vm_real rd, sum;
+    vm_real third;
     if (!(angle.d >= 0)) return VM_NAN;
-    vmi_rf_rd(angle.d, 1, angle.cc, &rd);
-    sum = VM_SQRT(angle.d / angle.cc) + angle.share * rd * VM_C(0.3333333333333333333);
-    return VM_COPYSIGN(angle.s.hi * sum, phi);
+    vmi_rf_rd(angle.d, 1, angle.cc, &third);
+    return VM_COPYSIGN(
+        vmi_times_sum(angle.s, vmi_two(VM_SQRT(angle.d / angle.cc), 0), vmi_two_scaled(angle.share, third)), phi);
 }
 
 /* Returns D(phi | m) for m > 1, which is s^3 R_D(cc, d, 1)/3 with the fields s, cc, d of vmi_above. */
 VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
-    const vm_real s = angle.s.hi;
-    vm_real rd;
+    const vm_two cube = vmi_two_times(vmi_two_times(angle.s, angle.s), angle.s);
+    vm_real third;
     if (!(angle.d >= 0)) return VM_NAN;
-    vmi_rf_rd(angle.cc, angle.d, 1, &rd);
-    return VM_COPYSIGN(s * (s * s * rd * VM_C(0.3333333333333333333)), phi);
+    vmi_rf_rd(angle.cc, angle.d, 1, &third);
+    return VM_COPYSIGN(vmi_two_scaled(cube, third).hi, phi);
 }
 
-/* Returns Pi(n; phi | m) for m > 1 and n < 0. The reciprocal transformation leads to the parameter 1/m and the
-   characteristic n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF 19.7.9), so that all terms are
-   positive. The variable q is 1 - N m s^2 with s = sin phi. */
-VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1)
+/* Returns Pi(n; phi | m) for m > 1 and n < 0, where p is 1 - n s^2 and s is sin phi. The reciprocal transformation
+   leads to the parameter 1/m and the characteristic n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF
+   19.7.9), so that all terms are positive. Here q is 1 - N m s^2, and `gap` is p q - cos^2 phi. */
+VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1, vm_real p)
 {
     const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
-    const vm_real p = angle->cc + (1 - n) * s * s, weight = -m1 / m * per * (angle->share + s * s);
-    const vm_real q = angle->d + weight;
-    vm_real third;
+    const vm_real weight = -m1 / m * per * (angle->share.hi + s * s), q = angle->d + weight;
+    const vm_real gap = -ratio * per * (1 - n) * s * s * angle->d;
+    vm_two third, sum;
     const vm_real rf = vmi_rf_rj_weighted(angle->cc, angle->d, 1, q, 1, weight, &third);
-    return s * (rf * per - ratio * per * (VM_SQRT(angle->d) * vmi_rc(angle->cc, p * q) + third));
+    sum = vmi_two_plus(vmi_two_product(VM_SQRT(angle->d), vmi_rc_apart(angle->cc, p * q, gap)), third);
+    return vmi_times_sum(angle->s, vmi_two(rf * per, 0), vmi_two_scaled(sum, ratio / (ratio - 1)));
 }
 
 /* Returns Pi(n; phi | m) for m > 1 and a finite n. With s = sin phi, p = 1 - n s^2 is computed in two words, since it
@@ -151,18 +152,20 @@ VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
     const vmi_above angle = vmi_above_of(phi, m1);
     const vm_two less = vmi_two_sum(n, -1), root = vmi_root_times_sine(less, &angle);
     const vm_real s = angle.s.hi;
-    vm_real p = angle.cc + root.hi * root.hi, q, rf, third;
+    vm_real p = angle.cc + root.hi * root.hi, q, rf;
+    vm_two third;
     if (!(angle.d >= 0)) return VM_NAN;
-    if (n < 0) return VM_COPYSIGN(vmi_Pi_above_negative(&angle, n, m, m1.hi), phi);
+    if (n < 0) return VM_COPYSIGN(vmi_Pi_above_negative(&angle, n, m, m1.hi, p), phi);
     if (n > 1) p = vmi_difference_of_squares(angle.c, root);
     if (p == 0) return VM_COPYSIGN(VM_INFINITY, phi);
     if (p > 0) {
         rf = vmi_rf_rj_weighted(angle.cc, angle.d, 1, p, 1, n * s * s, &third);
-        return VM_COPYSIGN(s * (rf + third), phi);
+        return VM_COPYSIGN(vmi_times_sum(angle.s, vmi_two(rf, 0), third), phi);
     }
     q = angle.cc + vmi_two_plus(less, m1).hi / n * s * s;
     vmi_rf_rj_weighted(angle.cc, angle.d, 1, q, 1, m / n * s * s, &third);
-    return VM_COPYSIGN((vm_real)1, phi) * (s * (vmi_rc(angle.cc * angle.d, p * q) - third));
+    rf = vmi_rc(angle.cc * angle.d, p * q);
+    return VM_COPYSIGN((vm_real)1, phi) * vmi_times_sum(angle.s, vmi_two(rf, 0), vmi_minus(third));
 }
 
 #endif

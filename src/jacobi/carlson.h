@@ -25,6 +25,7 @@
 typedef struct VM_TAG(vmi_carlson) {
     vm_real x, y, z; /* the arguments */
     vm_real mean;    /* their mean (x + y + z)/3 */
+    vm_real rest;    /* rounding error of the first mean; each duplication divides it by 4. mean + rest is more exact */
     vm_real X, Y;    /* mean - x and mean - y; mean - z is -(X + Y) */
     vm_real a, b, c; /* the square roots of x, y, z in the last duplication */
     vm_real lambda;  /* a b + b c + c a in the last duplication */
@@ -37,11 +38,13 @@ typedef struct VM_TAG(vmi_carlson) {
 /* Returns the numbers of vmi_carlson before the first duplication of x, y, z. */
 VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
 {
+    const vm_two part = vmi_two_sum(x, y), sum = vmi_two_sum(part.hi, z);
     vmi_carlson s;
     s.x = x;
     s.y = y;
     s.z = z;
-    s.mean = (x + y + z) * VM_C(0.3333333333333333333);
+    s.mean = sum.hi * VM_C(0.3333333333333333333);
+    s.rest = (((sum.hi - 2 * s.mean) - s.mean) + (sum.lo + part.lo)) * VM_C(0.3333333333333333333);
     s.X = s.mean - x;
     s.Y = s.mean - y;
     s.a = s.b = s.c = s.lambda = 0;
@@ -66,6 +69,7 @@ VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
     s->y = (s->y + s->lambda) * VM_C(0.25);
     s->z = (s->z + s->lambda) * VM_C(0.25);
     s->mean = (s->mean + s->lambda) * VM_C(0.25);
+    s->rest *= VM_C(0.25);
     s->X *= VM_C(0.25);
     s->Y *= VM_C(0.25);
 }
@@ -101,10 +105,11 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
         high = (five + six) + ((seven + eight) + (nine + ten));
     }
 #endif
+    low -= s->rest / (2 * s->mean);
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* Returns R_J from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
+/* Returns R_J/3 from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
    T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
 {
@@ -138,10 +143,11 @@ VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
         sum += VM_C(0.1304347826086956522) * T;
     }
 #endif
-    return (1 + sum) / (s->mean * VM_SQRT(s->mean));
+    sum -= VM_C(1.5) * s->rest / s->mean;
+    return (1 + sum) / (3 * s->mean * VM_SQRT(s->mean));
 }
 
-/* Returns R_F(x, y, z), within 3 ulp, for arguments >= 0 of which at most one is 0. */
+/* Returns R_F(x, y, z), within 5 ulp, for arguments >= 0 of which at most one is 0. */
 VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -153,19 +159,29 @@ VM_INLINE vm_real vmi_rf(vm_real x, vm_real y, vm_real z)
     return vmi_carlson_first(&s);
 }
 
-/* Returns R_F(x, y, z), and R_D(x, y, z) in *rd, for z > 0 and arguments of which at most one is 0. One sequence of
-   duplications serves both; each duplication adds a positive term to R_D (DLMF 19.26.20). */
-VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *rd)
+/* Adds a term to a sum. The rounding errors of the sum are collected in its low word. */
+VM_INLINE void vmi_carlson_add(vm_two *sum, vm_real term)
+{
+    const vm_two more = vmi_two_sum(sum->hi, term);
+    sum->hi = more.hi;
+    sum->lo += more.lo;
+}
+
+/* Returns R_F(x, y, z), and R_D(x, y, z)/3 in *third, for z > 0 and arguments of which at most one is 0. One sequence
+   of duplications serves both. Each duplication adds a positive term to R_D/3, which is 1/(c (z + lambda)) times a
+   power of 4 (DLMF 19.26.20); z + lambda is (c + a)(c + b). */
+VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *third)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
-    vm_real spread = vmi_carlson_spread(&s), power = 1, sum = 0;
+    vm_real spread = vmi_carlson_spread(&s), power = 1;
+    vm_two sum = vmi_two(0, 0);
     while (spread > VMI_CARLSON_CLOSE * s.mean) {
         vmi_carlson_duplicate(&s);
         spread *= VM_C(0.25);
-        sum += power / (4 * s.c * s.z); /* 4 s.z is z + lambda, where z is its value before this duplication */
+        vmi_carlson_add(&sum, power / (s.c * vmi_two_times(vmi_two_sum(s.c, s.a), vmi_two_sum(s.c, s.b)).hi));
         power *= VM_C(0.25);
     }
-    *rd = 3 * sum + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean);
+    *third = sum.hi + (sum.lo + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean));
     return vmi_carlson_first(&s);
 }
 
@@ -185,19 +201,27 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* Returns R_C(1, y) for y > 0. With r = sqrt(|y - 1|) it is arctan(r)/r for y > 1 and artanh(r)/r for y < 1. Next to y
-   = 1 it is computed by vmi_rc_series after one duplication, which divides y - 1 by (1 + sqrt(y))^2. */
-VM_API vm_real vmi_rc_of_1(vm_real y)
+/* Returns R_C(1, y) for y > 0 from both y and e = y - 1. With r = sqrt(|e|) it is arctan(r)/r for y > 1 and
+   artanh(r)/r, which is (ln(1 + r) - ln(y)/2)/r, for y < 1. Next to y = 1 it is computed by vmi_rc_series after one
+   duplication, which divides e by (1 + sqrt(y))^2. */
+VM_API vm_real vmi_rc_of_1(vm_real y, vm_real e)
 {
-    const vm_real e = y - 1;
     vm_real root;
     if (VM_FABS(e) < VM_C(0.18)) {
-        const vm_real sum = 1 + VM_SQRT(y);
-        return 2 * vmi_rc_series(e / (sum * sum)) / sum;
+        const vm_real both = 1 + VM_SQRT(y);
+        return 2 * vmi_rc_series(e / (both * both)) / both;
     }
     root = VM_SQRT(VM_FABS(e));
     if (e > 0) return vmi_arctan(root, 1) / root;
-    return vmi_log((1 + root) * (1 + root) / y).hi / (2 * root);
+    return (vmi_two_log(vmi_two_sum(1, root)).hi - vmi_log(y).hi / 2) / root;
+}
+
+/* Returns R_C(x, y) for x >= 0 and y > 0 from x, y and e = y - x. If x, y and e have small relative errors, so has the
+   result. */
+VM_API vm_real vmi_rc_apart(vm_real x, vm_real y, vm_real e)
+{
+    if (e > x) return vmi_arctan(VM_SQRT(e), VM_SQRT(x)) / VM_SQRT(e);
+    return vmi_rc_of_1(y / x, e / x) / VM_SQRT(x);
 }
 
 /* Returns R_C(x, y) for x >= 0 and y != 0. For y < 0 it is Cauchy's principal value (DLMF 19.2.17, 19.2.20). */
@@ -209,31 +233,35 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
         x -= y;
         y = -y;
     }
-    if (2 * x < y) return factor * (vmi_arctan(VM_SQRT(y - x), VM_SQRT(x)) / VM_SQRT(y - x));
-    return factor * (vmi_rc_of_1(y / x) / VM_SQRT(x));
+    return factor * vmi_rc_apart(x, y, y - x);
 }
 
-/* Returns R_F(x, y, z), and R_J(x, y, z, p) in *rj, for p > 0 and arguments x, y, z >= 0 of which at most one is 0. The
-   arguments should be about 1, because d below, which grows as their power 3/2, must neither overflow nor underflow.
-   Each duplication adds 6/d R_C(1, 1 + e) to R_J (DLMF 19.26.21 and Carlson 1995), where d = (r + a)(r + b)(r + c) and
-   r = sqrt(p).
-   1 + e is computed as 2 r (p + lambda)/d, so that no subtraction loses digits. */
-VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *rj)
+/* Returns R_F(x, y, z), and R_J(x, y, z, p)/3 in *third, for p > 0 and arguments x, y, z >= 0 of which at most one is
+   0. The arguments should be about 1, because d below, which grows as their power 3/2, must neither overflow nor
+   underflow. Each duplication adds 2/d R_C(1, 1 + e), times a power of 4, to R_J/3 (DLMF 19.26.21 and Carlson 1995).
+   Here d = (r + a)(r + b)(r + c) and r = sqrt(p). d is computed as r p + p (a + b + c) + r lambda + a b c, which has
+   fewer rounding errors. Both 1 + e = 2 r (p + lambda)/d and e = (r - a)(r - b)(r - c)/d are computed, so that
+   neither loses digits. */
+VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *third)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
-    vm_real P = s.mean - p, spread = vmi_larger(vmi_carlson_spread(&s), VM_FABS(P)), power = 1, sum = 0;
+    vm_real P = s.mean - p, spread = vmi_larger(vmi_carlson_spread(&s), VM_FABS(P)), power = 1;
+    vm_two sum = vmi_two(0, 0);
     while (spread > VMI_CARLSON_CLOSE * s.mean) {
         const vm_real r = VM_SQRT(p);
-        vm_real d;
+        vm_real d, per_d, e;
         vmi_carlson_duplicate(&s);
-        d = (r + s.a) * (r + s.b) * (r + s.c);
-        sum += power / d * vmi_rc_of_1(2 * r * (p + s.lambda) / d);
-        p = (p + s.lambda) * VM_C(0.25);
+        d = r * p + (p * (s.a + s.b + s.c) + (r * s.lambda + s.a * s.b * s.c));
+        per_d = 1 / d;
+        e = (r - s.a) * ((r - s.b) * (r - s.c)) * per_d;
+        p += s.lambda;
+        vmi_carlson_add(&sum, 2 * power * per_d * vmi_rc_of_1(2 * r * p * per_d, e));
+        p *= VM_C(0.25);
         P *= VM_C(0.25);
         spread *= VM_C(0.25);
         power *= VM_C(0.25);
     }
-    *rj = 6 * sum + power * vmi_carlson_third(&s, P / s.mean);
+    *third = sum.hi + (sum.lo + power * vmi_carlson_third(&s, P / s.mean));
     return vmi_carlson_first(&s);
 }
 
@@ -256,38 +284,56 @@ VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
 }
 
 /* Returns R_F(x, y, z), and the product of `weight` and R_D(x, y, z)/3 in *third, for arguments of any size, of which
-   the largest is `top`. R_D itself may overflow or underflow if this product does not. */
-VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_real weight, vm_real *third)
+   the largest is `top`. R_D itself may overflow or underflow if this product does not. The product has two words, so
+   that it is not rounded before it is used. */
+VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_two weight, vm_two *third)
 {
     vmi_carlson_scale by;
     vm_real rf, rd;
     if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
         rf = vmi_rf_rd(x, y, z, &rd);
-        *third = weight * rd * VM_C(0.3333333333333333333);
+        *third = vmi_two_scaled(weight, rd);
         return rf;
     }
     by = vmi_carlson_scale_of(top);
     rf = vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
-    *third = by.root * (by.root * weight) * (by.root * rd) * VM_C(0.3333333333333333333);
+    *third = vmi_two(by.root * (by.root * weight.hi) * (by.root * rd), 0);
     return by.root * rf;
 }
 
+/* In vmi_rf_rj_weighted the largest argument is brought to about 1/VMI_CARLSON_ROOM = 2^100 (float 2^20), not to 1. Its
+   product with roots of the smallest arguments then does not underflow. */
+#if VM_MANT_DIG > 24
+#define VMI_CARLSON_ROOM VM_C(7.8886090522101181e-31)
+#else
+#define VMI_CARLSON_ROOM VM_C(9.5367431640625e-7)
+#endif
+
 /* Returns R_F(x, y, z), and the product of `weight` and R_J(x, y, z, p)/3 in *third, for arguments of any size, of
-   which the largest is `top`. R_J itself may overflow or underflow if this product does not. */
+   which the largest is `top`. R_J itself may overflow or underflow if this product does not. The product has two words,
+   so that it is not rounded before it is used. */
 VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
-                                  vm_real *third)
+                                  vm_two *third)
 {
     vmi_carlson_scale by;
     vm_real rf, rj;
     if (top > VM_EPSILON && top < 1 / VM_EPSILON) {
         rf = vmi_rf_rj(x, y, z, p, &rj);
-        *third = weight * (rj * VM_C(0.3333333333333333333));
+        *third = vmi_two_product(weight, rj);
         return rf;
     }
-    by = vmi_carlson_scale_of(top);
+    by = vmi_carlson_scale_of(top * VMI_CARLSON_ROOM);
     rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
-    *third = by.root * (by.root * weight) * (by.root * rj) * VM_C(0.3333333333333333333);
+    *third = vmi_two(by.root * (by.root * weight) * (by.root * rj), 0);
     return by.root * rf;
+}
+
+/* Returns s (first + second) for numbers in two words, with two roundings. */
+VM_INLINE vm_real vmi_times_sum(vm_two s, vm_two first, vm_two second)
+{
+    vm_two sum = vmi_two_sum(first.hi, second.hi);
+    sum.lo += first.lo + second.lo;
+    return s.hi * sum.hi + (s.hi * sum.lo + s.lo * sum.hi);
 }
 
 /* Returns 1 if x > 0 is so much smaller than the largest argument that the scale makes it subnormal or 0, else 0. */
@@ -366,7 +412,7 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     by = vmi_carlson_scale_of(largest);
     if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
     vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
-    return by.root * (by.root * (by.root * rd));
+    return by.root * (by.root * (by.root * (3 * rd)));
 }
 
 /* Returns R_J(x, y, z, p) for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is
@@ -376,7 +422,7 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
     vm_real rf, rj, rest;
     rf = vmi_rf_rj(x, y, z, other, &rj);
-    rest = (other - z) * rj - 3 * rf;
+    rest = 3 * ((other - z) * rj - rf);
     return (rest + 3 * VM_SQRT(x * y * z / product) * vmi_rc(product, other * q)) / (z + q);
 }
 
@@ -400,7 +446,10 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     y *= by.factor;
     z *= by.factor;
     p *= by.factor;
-    if (p > 0) vmi_rf_rj(x, y, z, p, &rj);
+    if (p > 0) {
+        vmi_rf_rj(x, y, z, p, &rj);
+        rj *= 3;
+    }
     else if (x == by.factor * top) rj = vmi_rj_principal(y, z, x, p);
     else if (y == by.factor * top) rj = vmi_rj_principal(z, x, y, p);
     else rj = vmi_rj_principal(x, y, z, p);
@@ -424,7 +473,7 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
     middle *= by.factor;
     high = by.factor * largest;
     rf = vmi_rf_rd(low, high, middle, &rd);
-    rd *= (high - middle) * (middle - low) * VM_C(0.3333333333333333333);
+    rd *= (high - middle) * (middle - low);
     return (middle * rf + rd + VM_SQRT(low * high / middle)) / (2 * by.root);
 }
 

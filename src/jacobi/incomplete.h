@@ -28,7 +28,7 @@
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
     vm_real turns; /* phi = turns pi/2 + theta: an integral from 0 to phi contains `turns` complete integrals */
-    vm_real s, c;  /* sin theta and cos theta, each with a small relative error */
+    vm_two s, c;   /* sin theta and cos theta, each within 0.4 ulp */
 } vmi_angle;
 
 /* Reduces the finite angle phi. Where phi is so large that its digits do not determine theta, turns is 2 phi/pi and
@@ -39,7 +39,7 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
     const vm_real x = VM_FABS(phi), count = x * VM_C(0.6366197723675813431), j = VM_FLOOR(count + VM_C(0.5));
     vm_two rest = vmi_two(x, 0);
     vmi_angle angle;
-    vm_real sine, cosine;
+    vm_two sine, cosine;
     angle.turns = 0;
     if (j > 0) {
         const vm_two p = vmi_two_product(j, half_pi.hi), sum = vmi_two_sum(x - p.hi, -p.lo);
@@ -51,18 +51,18 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
         angle.turns = count;
         rest = vmi_two(0, 0);
     }
-    vmi_sin_cos(rest, &sine, &cosine);
+    vmi_sin_cos_words(rest, &sine, &cosine);
     angle.s = sine;
     angle.c = cosine;
     if (j < VM_C(0.25) / VM_EPSILON && j - 2 * VM_FLOOR(j / 2) > 0) { /* theta is rest + pi/2 or rest - pi/2 */
         const vm_real side = VM_COPYSIGN((vm_real)1, rest.hi);
         angle.turns = j + side;
-        angle.s = -side * cosine;
-        angle.c = VM_FABS(sine);
+        angle.s = vmi_two_shifted(cosine, -side);
+        angle.c = vmi_two_shifted(sine, side);
     }
     if (phi < 0) {
         angle.turns = -angle.turns;
-        angle.s = -angle.s;
+        angle.s = vmi_minus(angle.s);
     }
     return angle;
 }
@@ -72,6 +72,15 @@ VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
 VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 {
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
+}
+
+/* Returns turns complete + part, an integral from 0 to phi, with one rounding where the terms are not huge.
+   `complete` is the integral from 0 to pi/2, `part` the integral from 0 to theta. */
+VM_INLINE vm_real vmi_with_turns(vm_real turns, vm_real complete, vm_real part)
+{
+    const int safe = VM_FABS(turns) < 1 / VM_EPSILON && VM_FABS(complete) < VM_MAX * VM_EPSILON;
+    if (safe) return vmi_two_plus(vmi_two_product(turns, complete), vmi_two(part, 0)).hi;
+    return turns * complete + part;
 }
 
 /* Returns F(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
@@ -87,11 +96,11 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
         return VM_NAN;
     }
     angle = vmi_angle_of(phi);
-    cc = angle.c * angle.c;
-    ss = angle.s * angle.s;
-    part = angle.s * vmi_rf(cc, cc + m1 * ss, 1);
+    cc = angle.c.hi * angle.c.hi;
+    ss = angle.s.hi * angle.s.hi;
+    part = angle.s.hi * vmi_rf(cc, cc + m1 * ss, 1);
     if (angle.turns == 0) return part;
-    return angle.turns * vmi_K(m1, m1_lo) + part;
+    return vmi_with_turns(angle.turns, vmi_K(m1, m1_lo), part);
 }
 
 /* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
@@ -109,19 +118,23 @@ VM_API vm_real jacobi_F(vm_real phi, vm_real m)
    Domain and accuracy are those of jacobi_F. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); }
 
+/* Returns x^2 for a number in two words, with two roundings. */
+VM_INLINE vm_real vmi_squared(vm_two x) { return x.hi * x.hi + 2 * x.hi * x.lo; }
+
 /* Returns E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
    arguments, so that each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are
    positive (DLMF 19.25.9-10). */
-VM_API vm_real vmi_E_part(vm_real s, vm_real c, vm_real m, vm_real m1)
+VM_API vm_real vmi_E_part(vm_two s, vm_two c, vm_real m, vm_real m1)
 {
-    const vm_real cc = c * c, ss = s * s, dd = cc + m1 * ss;
-    vm_real rf, rd, third;
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), dd = cc + m1 * ss;
+    vm_real rf, rd;
+    vm_two third;
     if (m < 0) {
-        rf = vmi_rf_rd_weighted(cc, dd, 1, vmi_larger(dd, 1), m * ss, &third);
-        return s * (rf - third);
+        rf = vmi_rf_rd_weighted(cc, dd, 1, vmi_larger(dd, 1), vmi_two(-m * ss, 0), &third);
+        return vmi_times_sum(s, vmi_two(rf, 0), third);
     }
     rf = vmi_rf_rd(cc, 1, dd, &rd);
-    return s * (m1 * (rf + m * ss * rd * VM_C(0.3333333333333333333)) + m * (c / VM_SQRT(dd)));
+    return vmi_times_sum(s, vmi_two_product(m1, rf + m * ss * rd), vmi_two_product(m, c.hi / VM_SQRT(dd)));
 }
 
 /* Returns E(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
@@ -138,7 +151,7 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     angle = vmi_angle_of(phi);
     part = vmi_E_part(angle.s, angle.c, m, m1);
     if (angle.turns == 0) return part;
-    return angle.turns * vmi_E(m1, m1_lo) + part;
+    return vmi_with_turns(angle.turns, vmi_E(m1, m1_lo), part);
 }
 
 /* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
@@ -170,23 +183,23 @@ VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 
 /* Returns D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. It is
    s^3 R_D(c^2, 1 - m s^2, 1)/3. */
-VM_API vm_real vmi_D_part(vm_real s, vm_real c, vm_real m1)
+VM_API vm_real vmi_D_part(vm_two s, vm_two c, vm_real m1)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
-    vm_real third;
-    vmi_rf_rd_weighted(cc, d, 1, vmi_larger(d, 1), ss, &third);
-    return s * third;
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
+    vm_two third;
+    vmi_rf_rd_weighted(cc, d, 1, vmi_larger(d, 1), vmi_two_scaled(s, ss), &third);
+    return third.hi;
 }
 
 /* Returns D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With
    d = 1 - m s^2 it is c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
-VM_API vm_real vmi_D_complement(vm_real s, vm_real c, vm_real m1)
+VM_API vm_real vmi_D_complement(vm_two s, vm_two c, vm_real m1)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, lift = vmi_lift_of(m1 * ss, m1), more = lift * lift;
-    const vm_real y = more * m1, z = more * d;
-    vm_real third;
-    vmi_rf_rd_weighted(y * ss, y, z, lift > 1 ? 1 : vmi_larger(z, y), more * cc, &third);
-    return c * (s / VM_SQRT(d) + lift * third);
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
+    const vm_real lift = vmi_lift_of(m1 * ss, m1), more = lift * lift, y = more * m1, z = more * d;
+    vm_two third;
+    vmi_rf_rd_weighted(y * ss, y, z, lift > 1 ? 1 : vmi_larger(z, y), vmi_two(more * cc, 0), &third);
+    return vmi_times_sum(c, vmi_two(s.hi / VM_SQRT(d), 0), vmi_two_shifted(third, lift));
 }
 
 /* Returns D(m) for m1 = 1 - m. */
@@ -195,7 +208,7 @@ VM_API vm_real vmi_D(vm_real m1)
     if (!(m1 >= 0)) return VM_NAN;
     if (m1 == 0) return VM_INFINITY;
     if (!VM_IS_FINITE(m1)) return 0;
-    return vmi_D_part(1, 0, m1);
+    return vmi_D_part(vmi_two(1, 0), vmi_two(0, 0), m1);
 }
 
 /* D(m) = (K(m) - E(m))/m, the complete elliptic integral D, for m <= 1. The error is at most 8 ulp for m >= -1e300
@@ -211,7 +224,8 @@ VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
-    vm_real s, turns, sum;
+    vm_real turns, sum;
+    vm_two s;
     if (m1 < 0) return vmi_D_above(phi, vmi_two(m1, m1_lo));
     if (vmi_incomplete_special(phi, m1)) {
         if (!(m1 >= 0) || phi != phi) return VM_NAN;
@@ -221,10 +235,10 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
     }
     angle = vmi_angle_of(VM_FABS(phi));
     turns = angle.turns;
-    s = VM_FABS(angle.s);
+    s = angle.s.hi < 0 ? vmi_minus(angle.s) : angle.s;
     if (turns == 0) sum = vmi_D_part(s, angle.c, m1);
-    else if (turns == 2 && angle.s < 0 && m1 > 0) sum = vmi_D(m1) + vmi_D_complement(s, angle.c, m1);
-    else sum = turns * vmi_D(m1) + VM_COPYSIGN(vmi_D_part(s, angle.c, m1), angle.s);
+    else if (turns == 2 && angle.s.hi < 0 && m1 > 0) sum = vmi_D(m1) + vmi_D_complement(s, angle.c, m1);
+    else sum = vmi_with_turns(turns, vmi_D(m1), VM_COPYSIGN(vmi_D_part(s, angle.c, m1), angle.s.hi));
     return VM_COPYSIGN(sum, phi);
 }
 
@@ -255,28 +269,31 @@ VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
    p = 1 - n s^2 and d = 1 - m s^2. There are three formulas. Each is a sum of positive terms, except for one term of
    the third formula with m > 0.
      n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
-            1 - N s^2 = c^2 + s^2 m1/(1 - n);
+            1 - N s^2 = c^2 + s^2 m1/(1 - n). R_C depends on `gap`, the difference p q - d, which is -n N s^2 c^2;
      0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
      p < 0: m/n replaces n (DLMF 19.7.8), q = 1 - s^2 m/n, and R_C has its principal value. */
-VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m1)
+VM_API vm_real vmi_Pi_part(vm_two s, vm_two c, vm_real n, vm_real m, vm_real m1)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss, top = vmi_larger(d, 1);
-    vm_real p = cc + (1 - n) * ss, q, share, rf, third;
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss, top = vmi_larger(d, 1);
+    const vm_real p = cc + (1 - n) * ss;
+    vm_real q, share, rf, gap;
+    vm_two third, sum;
     if (n < 0) {
-        p = 1 - n * ss;
         share = m1 / (1 - n);
         q = cc + share * ss;
+        gap = n / (1 - n) * (n - m) * ss * cc;
         rf = vmi_rf_rj_weighted(cc, d, 1, q, top, share * ss, &third);
-        return s * (rf / (1 - n) + n / (n - 1) * (c * vmi_rc(d, p * q) + third));
+        sum = vmi_two_plus(vmi_two_product(c.hi, vmi_rc_apart(d, p * q, gap)), third);
+        return vmi_times_sum(s, vmi_two(rf / (1 - n), 0), vmi_two_scaled(sum, n / (n - 1)));
     }
     if (p > 0) {
         rf = vmi_rf_rj_weighted(cc, d, 1, p, top, n * ss, &third);
-        return s * (rf + third);
+        return vmi_times_sum(s, vmi_two(rf, 0), third);
     }
-    if (p == 0) return VM_COPYSIGN(VM_INFINITY, s);
+    if (p == 0) return VM_COPYSIGN(VM_INFINITY, s.hi);
     q = cc + vmi_share_below_pole(n, m1) * ss;
     vmi_rf_rj_weighted(cc, d, 1, q, top, m / n * ss, &third);
-    return s * (vmi_rc(cc * d, p * q) - third);
+    return vmi_times_sum(s, vmi_two(vmi_rc(cc * d, p * q), 0), vmi_minus(third));
 }
 
 /* Returns Pi(n | m) for n < 0 and m1 = 1 - m > 0. The factor `lift`, a power of 2 from vmi_lift_of, keeps numbers from
@@ -286,18 +303,20 @@ VM_API vm_real vmi_Pi_part(vm_real s, vm_real c, vm_real n, vm_real m, vm_real m
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
-    vm_real rf, third;
+    vm_real rf;
+    vm_two third;
     if (lift > 1 && n < -1000 / (VM_EPSILON * VM_EPSILON))
         return VM_PI / 2 / VM_SQRT(1 - n) + vmi_K(m1, 0) / (1 - n);
     rf = vmi_rf_rj_weighted(0, more * m1, more, share, lift > 1 ? 1 : more * vmi_larger(m1, 1), share, &third);
-    return lift * (rf / (1 - n) + n / (n - 1) * third);
+    return lift * vmi_two_plus(vmi_two(rf / (1 - n), 0), vmi_two_scaled(third, n / (n - 1))).hi;
 }
 
 /* Returns Pi(n | m), from both m and m1 = 1 - m. The three cases of n are those of vmi_Pi_part for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
-    vm_real rf, third;
+    vm_real rf;
+    vm_two third;
     if (!(m1 >= 0) || n != n) return VM_NAN;
     if (!VM_IS_FINITE(n) || !VM_IS_FINITE(m1)) {
         if (VM_IS_FINITE(n) && n < 1) return 0; /* m is -infinity */
@@ -309,10 +328,10 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
     if (n < 0) return vmi_Pi_negative(n, m1);
     if (n < 1) {
         rf = vmi_rf_rj_weighted(0, m1, 1, 1 - n, top, n, &third);
-        return rf + third;
+        return vmi_two_plus(vmi_two(rf, 0), third).hi;
     }
     vmi_rf_rj_weighted(0, m1, 1, vmi_share_below_pole(n, m1), top, m / n, &third);
-    return 0 - third;
+    return 0 - third.hi;
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
@@ -325,21 +344,23 @@ VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
    Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi
-   be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to
-   psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). *exact becomes 1 if no digits are lost: for
-   all n <= 0, and for n > 0 if c^2 <= (1 - n) s^2. Otherwise *exact and the result are 0. */
-VM_API vm_real vmi_Pi_complement(vm_real s, vm_real c, vm_real n, vm_real m1, int *exact)
+/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let
+   psi be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from
+   0 to psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). It is the sum of a term with R_F and a
+   term with R_J. For n > 0 the term with R_J is negative, so that the sum has larger errors than its terms. The other
+   way to Pi(n; pi - theta | m), 2 Pi(n | m) - Pi(n; theta | m), has smaller errors if the term with R_F is larger
+   than Pi(n | m), which is the argument `complete`. *exact becomes 0 then, else 1. */
+VM_API vm_real vmi_Pi_complement(vm_two s, vm_two c, vm_real n, vm_real m1, vm_real complete, int *exact)
 {
-    const vm_real cc = c * c, ss = s * s, d = cc + m1 * ss;
+    const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
     const vm_real least = vmi_smaller(ss, 1 / (1 - n)) * m1, lift = vmi_lift_of(least, m1);
     const vm_real more = lift * lift;
     const vm_real y = more * m1, z = more * d, share = y / (1 - n), p = y * ss + share * cc;
-    vm_real rf, third;
-    *exact = n <= 0 || share * cc <= y * ss;
-    if (!*exact) return 0; /* the result is not used */
-    rf = vmi_rf_rj_weighted(y * ss, y, z, p, lift > 1 ? 1 : vmi_larger(z, y), n * share * cc, &third);
-    return lift * (c * (rf - third) / (1 - n));
+    const vm_real top = lift > 1 ? 1 : vmi_larger(z, y);
+    vm_two third;
+    const vm_real rf = vmi_rf_rj_weighted(y * ss, y, z, p, top, -n * share * cc, &third);
+    *exact = lift * (c.hi * rf / (1 - n)) <= complete;
+    return lift * (vmi_times_sum(c, vmi_two(rf, 0), third) / (1 - n));
 }
 
 /* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, the difference
@@ -358,15 +379,16 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
         return VM_NAN;
     }
     angle = vmi_angle_of(phi);
-    if (VM_FABS(angle.turns) == 2 && angle.s * angle.turns < 0 && n < 1 && m1 > 0) {
-        const vm_real half = vmi_Pi(n, m, m1);
+    if (VM_FABS(angle.turns) == 2 && angle.s.hi * angle.turns < 0 && n < 1 && m1 > 0) {
+        const vm_two s = angle.s.hi < 0 ? vmi_minus(angle.s) : angle.s;
+        const vm_real complete = vmi_Pi(n, m, m1);
         int exact;
-        part = vmi_Pi_complement(VM_FABS(angle.s), angle.c, n, m1, &exact);
-        if (exact) return VM_COPYSIGN(half + part, phi);
+        part = vmi_Pi_complement(s, angle.c, n, m1, complete, &exact);
+        if (exact) return VM_COPYSIGN(complete + part, phi);
     }
     part = vmi_Pi_part(angle.s, angle.c, n, m, m1);
     if (angle.turns == 0) return part;
-    return angle.turns * vmi_Pi(n, m, m1) + part;
+    return vmi_with_turns(angle.turns, vmi_Pi(n, m, m1), part);
 }
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in

@@ -69,7 +69,7 @@ VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_p
         }
         if (e->when && e->count && t - e->time < pace->gap) pace->gap = t - e->time;
         if (e->when) e->time = t;
-        e->count++;
+        e->count = vmi_count(e->count, 1);
         pace->happened++;
         if (e->then) result = e->then(e, t, y);
         if (e->left) { /* the next run does the rest */

@@ -286,6 +286,28 @@ def underflow_rows():
         mp.dps = 60
 
 
+# phi, n and m of single precision and m of double precision at which the formulas of version 0.1 had errors above 8 ulp
+HARDEST = {"D": ((0.0021296042618974913, -42.12673680047493), (0.0043937667557640853, 1.4512878795636634e-07),
+                 (0.55519974231719971, 1.0177258253097534), (0.034708175808191299, -8.0637969970703125),
+                 (0.0021936490666121244, -2146.780029296875), (0.070102103054523468, 0.99999791383743286),
+                 (0.14169064164161682, 1.0161517858505249), (0.00051521649584174156, 3767211.25)),
+           "E": ((1.5300970077514648, 1.0016579627990723), (1.3106875419616699, 1.0708292722702026),
+                 (0.47249859571456909, -4781.47021484375), (1.4962409734725952, 1.0055751800537109)),
+           "Pi": ((1.5764017105102539, 0.99997460842132568, 0.74013340473175049), (21.431516647338867, 0.9811396598815918, 0.66271489858627319),
+                  (2.1421265602111816, 0.73211014270782471, -130504133181440.0), (1.5848922729492188, 0.99985682964324951, 0.99741268157958984),
+                  (5.8404998779296875, -33322.19140625, -0.020436309278011322), (5.3026509284973145, -701.87298583984375, -11065522602901504.0),
+                  (1.4442539215087891, 0.99959015846252441, 1.0161755084991455), (2.6673264503479004, 0.65930616855621338, -1.2820410033472799e+18)),
+           "complete Pi": ((-2818.35986328125, 0.99502050876617432),)}
+
+
+def hardest_rows():
+    functions = {"D": D, "E": second, "Pi": third, "complete Pi": lambda n, m1: third_part(mpf(1), mpf(0), n, m1)}
+    for name, points in HARDEST.items():
+        for point in points:
+            *first_inputs, m = map(mpf, point)
+            yield row(name, "hardest", point, functions[name](*first_inputs, 1 - m))
+
+
 def check():
     close = lambda a, b: abs(a - b) < mpf(10) ** -35 * (1 + abs(b))
     mp.dps = 40
@@ -308,7 +330,7 @@ def check():
 
 
 check()
-rows = [line for part in (incomplete_rows, principal_rows, complete_rows, symmetric_rows, inverse_rows, reciprocal_rows, D_rows, above_rows, underflow_rows) for line in part()]
+rows = [line for part in (incomplete_rows, principal_rows, complete_rows, symmetric_rows, inverse_rows, reciprocal_rows, D_rows, above_rows, underflow_rows, hardest_rows) for line in part()]
 with open(f"{FOLDER}/elliptic_integrals_table.h", "w") as file:
     file.write("/* Written by tests/gen/elliptic_integrals_reference.py: function, region, inputs, value as high and low word, scale */\n")
     file.write("\n".join(rows) + "\n")

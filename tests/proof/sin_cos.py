@@ -1,4 +1,4 @@
-"""vmi_sin_cos: the sine and the cosine within so many ulps, for |z.hi| <= 0.79 and |z.lo| <= ulp(z.hi).
+"""vmi_sin_cos_words: the first words of the sine and the cosine within so many ulps, for |z.hi| <= 0.79 and |z.lo| <= ulp(z.hi).
 
 Let z = a + b, a = z.hi and b = z.lo. By Taylor's theorem sin(a + b) is sin a + b cos a less at most b^2/2, and
 cos(a + b) is cos a - b sin a less at most b^2/2; |cos a - (1 - a^2/2)| <= a^4/24, |sin a - a| <= a^3/6. Sollya bounds the errors of the
@@ -17,9 +17,10 @@ LIMIT = F(math.ceil(F(79, 100) * 2**50), 2**50)
 class Model:
     def __init__(self, precision):
         self.p = precision
-        self.k = Kernel("vmi_sin_cos", precision)
-        self.k.expect(w="1 - t / 2", sine="z.hi + (z.hi * t * S + z.lo * w)",
-                      cosine="w + (((1 - w) - t / 2) + (tt * C - z.hi * z.lo))")
+        self.k = Kernel("vmi_sin_cos_words", precision)
+        self.k.expect(w="1 - t / 2", sine="vmi_fast_two_sum(z.hi, z.hi * t * S + z.lo * w)",
+                      cosine="vmi_fast_two_sum(w, ((1 - w) - t / 2) + (tt * C - z.hi * z.lo))")
+        self.k.define["sine"] = "z.hi + (z.hi * t * S + z.lo * w)"  # the first word of vmi_fast_two_sum is the rounded sum
         self.names = [n for n in self.k.define if n not in ("sine", "cosine")]
         text = "prec = 300;\n" + self.k.sollya([n for n in self.names if n != "w"], {"z_hi": "x"})
         text += supremum("x + x * t * S", "sin(x)", -0.7901, 0.7901, "relative")
