@@ -55,67 +55,9 @@ exact_value exact_ln_beta(double a, double b)
     return words(lgammaq((quad)a) + lgammaq((quad)b) - lgammaq((quad)a + (quad)b));
 }
 
-/* R_F of three numbers: duplication until they agree to 1e-36 */
-static quad carlson_rf(quad x, quad y, quad z)
-{
-    quad middle, X, Y, Z, e2, e3;
-    do {
-        const quad shift = sqrtq(x * y) + sqrtq(y * z) + sqrtq(z * x);
-        x = (x + shift) / 4;
-        y = (y + shift) / 4;
-        z = (z + shift) / 4;
-        middle = (x + y + z) / 3;
-    } while (fabsq(x - y) + fabsq(y - z) > 1e-9Q * middle);
-    X = 1 - x / middle;
-    Y = 1 - y / middle;
-    Z = -X - Y;
-    e2 = X * Y - Z * Z;
-    e3 = X * Y * Z;
-    return (1 - e2 / 10 + e3 / 14 + e2 * e2 / 24) / sqrtq(middle);
-}
-
-/* R_J of four positive numbers: duplication (DLMF 19.26.21), the sum of the terms with R_C; the series at its end has
-   an error of the eighth power of the differences */
-static quad carlson_rj(quad x, quad y, quad z, quad p)
-{
-    quad sum = 0, scale = 1, middle, X, Y, Z, P, e2, e3, e4, e5;
-    do {
-        const quad sx = sqrtq(x), sy = sqrtq(y), sz = sqrtq(z), sp = sqrtq(p), shift = sx * sy + sy * sz + sz * sx;
-        const quad d = (sp + sx) * (sp + sy) * (sp + sz), q = (p - x) * (p - y) * (p - z) / (d * d);
-        sum += 6 * scale / d * carlson_rf(1, 1 + q, 1 + q);
-        scale /= 4;
-        x = (x + shift) / 4;
-        y = (y + shift) / 4;
-        z = (z + shift) / 4;
-        p = (p + shift) / 4;
-        middle = (x + y + z + 2 * p) / 5;
-    } while (fabsq(x - p) + fabsq(y - p) + fabsq(z - p) > 1e-6Q * middle);
-    X = 1 - x / middle;
-    Y = 1 - y / middle;
-    Z = 1 - z / middle;
-    P = -(X + Y + Z) / 2;
-    e2 = X * Y + X * Z + Y * Z - 3 * P * P;
-    e3 = X * Y * Z + 2 * e2 * P + 4 * P * P * P;
-    e4 = (2 * X * Y * Z + e2 * P + 3 * P * P * P) * P;
-    e5 = X * Y * Z * P * P;
-    return sum + scale / (middle * sqrtq(middle)) *
-                     (1 - 3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26);
-}
-
-/* The integral from 0 to the angle with this sine and cosine */
-static quad incomplete_part(quad s, quad c, quad m, quad n, char which)
-{
-    const quad y = 1 - m * s * s, rf = carlson_rf(c * c, y, 1);
-    if (which == 'F') return s * rf;
-    if (which == 'E') return s * rf - m / 3 * s * s * s * carlson_rj(c * c, y, 1, 1);
-    return s * rf + n / 3 * s * s * s * carlson_rj(c * c, y, 1, 1 - n * s * s);
-}
-
 exact_value exact_incomplete(double phi, double m, double n, char which)
 {
-    const quad turns = rintq(phi / M_PIq), rest = phi - turns * M_PIq;
-    const quad part = incomplete_part(sinq(rest), cosq(rest), m, n, which);
-    return words(2 * turns * incomplete_part(1, 0, m, n, which) + part);
+    return words(elliptic_integral(which, phi, n, 1 - (quad)m));
 }
 
 exact_value exact_carlson_rf(double x, double y, double z) { return words(carlson_rf(x, y, z)); }
