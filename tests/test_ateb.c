@@ -470,6 +470,18 @@ static void test_plan(void)
     }
 }
 
+/* The point at which the sum 1 + X C(X) of a plan had an error of 2.19 ulp; the value is mpmath's with 40 digits */
+static void test_plan_hardest(void)
+{
+    const double alpha = 0.00035980927383384383, s = 2.6378136254798896, exact = -0.6373362168924643, low = 2.1057358e-17;
+    vm_real sa, ca;
+    ateb_plan plan;
+    if (!representable(alpha)) return;
+    ateb_plan_init(&plan, (vm_real)alpha);
+    ateb_plan_saca(&plan, (vm_real)s, &sa, &ca);
+    check_error("plan sa", "hardest", "ulp", ERROR_ULP(sa, exact, low), 2, s, alpha);
+}
+
 static void test_plan_domain(void)
 {
     const vm_real bad_alpha[] = {(vm_real)-1e-3, VM_NAN, VM_INFINITY, -VM_INFINITY};
@@ -896,6 +908,7 @@ int main(void)
     test_limits();
     test_domain();
     test_plan();
+    test_plan_hardest();
     test_plan_domain();
     test_plan_blocks();
     test_plan_large();

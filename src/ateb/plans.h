@@ -104,29 +104,32 @@ VM_INLINE vm_real vmi_ateb_four_terms(const vm_real *c, vm_real x, vm_real xx)
     return (c[0] + x * c[1]) + xx * (c[2] + x * c[3]);
 }
 
-/* Returns the polynomial c[0] + c[1] x + ..., computed with at least `length` terms. The coefficients beyond `length`
-   are 0. The terms after the first are grouped by four, so that the processor can compute the groups at the same time.
-   The first and largest term is added last, so that only this addition makes a rounding error as large as half an ulp
-   of the sum. */
-VM_INLINE vm_real vmi_ateb_part_series(const vm_real *c, int length, vm_real x)
+/* Returns the terms c[1] x + c[2] x^2 + ... of a polynomial, computed with at least `length` - 1 terms. The
+   coefficients beyond `length` are 0. The terms are grouped by four, so that the processor can compute the groups at
+   the same time. The constant c[0], which is larger than all terms, is left to the caller: it is added last, because
+   a sum that contains it has a rounding error as large as half an ulp of the result. */
+VM_INLINE vm_real vmi_ateb_part_terms(const vm_real *c, int length, vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
     vm_real more;
-    if (length <= 5) return c[0] + x * vmi_ateb_four_terms(c + 1, x, xx);
+    if (length <= 5) return x * vmi_ateb_four_terms(c + 1, x, xx);
     more = (c[5] + x * c[6]) + xx * c[7];
 #if ATEB_PLAN_LENGTH > 8
     if (length > 8) more = vmi_ateb_four_terms(c + 5, x, xx) + x4 * (vmi_ateb_four_terms(c + 9, x, xx) + x4 * c[13]);
 #endif
-    return c[0] + x * (vmi_ateb_four_terms(c + 1, x, xx) + x4 * more);
+    return x * (vmi_ateb_four_terms(c + 1, x, xx) + x4 * more);
 }
 
 /* Computes *odd = base (1 + tau A(tau)) and *even = 1 + tau C(tau), where A and C are the polynomials part->odd and
-   part->even, and base is r or 2 q d. */
+   part->even, and base is r or 2 q d. The two largest terms of *even are 1 and tau c, where c is the constant of C.
+   What rounding takes from their sum is added again. */
 VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two base, vm_real tau, vm_real *odd,
                                 vm_real *even)
 {
-    *odd = base.hi + (base.lo + (base.hi * tau) * vmi_ateb_part_series(part->odd, length, tau));
-    *even = 1 + tau * vmi_ateb_part_series(part->even, length, tau);
+    const vm_real first = tau * part->even[0], sum = vmi_rounded(1 + first), lost = (1 - sum) + first;
+    const vm_real A = part->odd[0] + vmi_ateb_part_terms(part->odd, length, tau);
+    *odd = base.hi + (base.lo + (base.hi * tau) * A);
+    *even = sum + (lost + tau * vmi_ateb_part_terms(part->even, length, tau));
 }
 
 /* Returns |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12).
@@ -326,7 +329,7 @@ VM_INLINE void vmi_ateb_block_sums(const ateb_plan *p, int length, const vmi_ate
 
 /* Computes sa and ca of a block of arguments, each with |s| < p->longest. Each call of vmi_ateb_block_sums has a
    constant number of terms, so that compilers can vectorise its loop over the arguments. For the same numbers of terms
-   vmi_ateb_part_series has separate cases. Arguments next to a zero of sa or ca are computed once more, one by one. The
+   vmi_ateb_part_terms has separate cases. Arguments next to a zero of sa or ca are computed once more, one by one. The
    function copies the plan, so that the compiler knows that writing the results does not change the plan. */
 VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real *sa, vm_real *ca)
 {

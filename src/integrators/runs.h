@@ -136,8 +136,8 @@ VM_INLINE void vmi_weigh_inside(const rk45 *s, int count, const vm_real *b, vm_r
     }
 }
 
-/* Returns count + more for count >= 0, or LONG_MAX if this sum is larger. On many machines the type long has 32 bits, and
-   a long run may take more steps than such a number can count. */
+/* Returns count + more for count >= 0, or LONG_MAX if this sum is larger. On many machines the type long has 32 bits,
+   and a long run may take more steps than such a number can count. */
 VM_API long vmi_count(long count, long more)
 {
     if (more > 0 && count > LONG_MAX - more) return LONG_MAX;

@@ -109,9 +109,10 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* Returns R_J/3 from arguments x, y, z and p that are close together, where P is 1 - p/mean. It is the sum over N of 3
-   T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). */
-VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
+/* Returns power R_J/3 from arguments x, y, z and p that are close together, where P is 1 - p/mean. R_J/3 is the sum
+   over N of T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P
+   s). `power` is divided by the mean first, because mean^(3/2) underflows where p was much larger than x, y and z. */
+VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P, vm_real power)
 {
     vm_real E2, E3, t, T, sum;
     vmi_carlson_symmetric(s, &E2, &E3);
@@ -144,7 +145,7 @@ VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P)
     }
 #endif
     sum -= VM_C(1.5) * s->rest / s->mean;
-    return (1 + sum) / (3 * s->mean * VM_SQRT(s->mean));
+    return (1 + sum) * (power / s->mean) / (3 * VM_SQRT(s->mean));
 }
 
 /* Returns R_F(x, y, z), within 5 ulp, for arguments >= 0 of which at most one is 0. */
@@ -181,7 +182,7 @@ VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *third)
         vmi_carlson_add(&sum, power / (s.c * vmi_two_times(vmi_two_sum(s.c, s.a), vmi_two_sum(s.c, s.b)).hi));
         power *= VM_C(0.25);
     }
-    *third = sum.hi + (sum.lo + power * vmi_carlson_third(&s, -(s.X + s.Y) / s.mean));
+    *third = sum.hi + (sum.lo + vmi_carlson_third(&s, -(s.X + s.Y) / s.mean, power));
     return vmi_carlson_first(&s);
 }
 
@@ -236,12 +237,22 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
     return factor * vmi_rc_apart(x, y, y - x);
 }
 
+/* Where the arguments of R_J differ much, the largest of them is brought to about this number, 2^500 (float 2^42), and
+   not to 1. The power 3/2 of the smallest argument then does not underflow. */
+#if VM_MANT_DIG > 24
+#define VMI_RJ_LIFT VM_C(3.273390607896142e+150)
+#define VMI_ROOT_OF_RJ_LIFT VM_C(1.8092513943330656e+75)
+#else
+#define VMI_RJ_LIFT VM_C(4398046511104.0)
+#define VMI_ROOT_OF_RJ_LIFT VM_C(2097152.0)
+#endif
+
 /* Returns R_F(x, y, z), and R_J(x, y, z, p)/3 in *third, for p > 0 and arguments x, y, z >= 0 of which at most one is
-   0. The arguments should be about 1, because d below, which grows as their power 3/2, must neither overflow nor
-   underflow. Each duplication adds 2/d R_C(1, 1 + e), times a power of 4, to R_J/3 (DLMF 19.26.21 and Carlson 1995).
-   Here d = (r + a)(r + b)(r + c) and r = sqrt(p). d is computed as r p + p (a + b + c) + r lambda + a b c, which has
-   fewer rounding errors. Both 1 + e = 2 r (p + lambda)/d and e = (r - a)(r - b)(r - c)/d are computed, so that
-   neither loses digits. */
+   0. The largest argument should be between 1 and VMI_RJ_LIFT, because d below, which grows as the power 3/2 of the
+   arguments, must neither overflow nor underflow. Each duplication adds 2/d R_C(1, 1 + e), times a power of 4, to
+   R_J/3 (DLMF 19.26.21 and Carlson 1995). Here d = (r + a)(r + b)(r + c) and r = sqrt(p). d is computed as r p + p (a
+   + b + c) + r lambda + a b c, which has fewer rounding errors. Both 1 + e = 2 r (p + lambda)/d and e = (r - a)(r -
+   b)(r - c)/d are computed, so that neither loses digits. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *third)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -261,7 +272,7 @@ VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *th
         spread *= VM_C(0.25);
         power *= VM_C(0.25);
     }
-    *third = sum.hi + (sum.lo + power * vmi_carlson_third(&s, P / s.mean));
+    *third = sum.hi + (sum.lo + vmi_carlson_third(&s, P / s.mean, power));
     return vmi_carlson_first(&s);
 }
 
@@ -297,17 +308,10 @@ VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, 
     }
     by = vmi_carlson_scale_of(top);
     rf = vmi_rf_rd(by.factor * x, by.factor * y, by.factor * z, &rd);
-    *third = vmi_two(by.root * (by.root * weight.hi) * (by.root * rd), 0);
+    if (by.root < 1 && weight.hi < 1) *third = vmi_two(weight.hi * (by.root * (by.root * (by.root * rd))), 0);
+    else *third = vmi_two(by.root * (by.root * weight.hi) * (by.root * rd), 0);
     return by.root * rf;
 }
-
-/* In vmi_rf_rj_weighted the largest argument is brought to about 1/VMI_CARLSON_ROOM = 2^100 (float 2^20), not to 1. Its
-   product with roots of the smallest arguments then does not underflow. */
-#if VM_MANT_DIG > 24
-#define VMI_CARLSON_ROOM VM_C(7.8886090522101181e-31)
-#else
-#define VMI_CARLSON_ROOM VM_C(9.5367431640625e-7)
-#endif
 
 /* Returns R_F(x, y, z), and the product of `weight` and R_J(x, y, z, p)/3 in *third, for arguments of any size, of
    which the largest is `top`. R_J itself may overflow or underflow if this product does not. The product has two words,
@@ -322,7 +326,7 @@ VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm
         *third = vmi_two_product(weight, rj);
         return rf;
     }
-    by = vmi_carlson_scale_of(top * VMI_CARLSON_ROOM);
+    by = vmi_carlson_scale_of(top / VMI_RJ_LIFT);
     rf = vmi_rf_rj(by.factor * x, by.factor * y, by.factor * z, by.factor * p, &rj);
     *third = vmi_two(by.root * (by.root * weight) * (by.root * rj), 0);
     return by.root * rf;
@@ -423,7 +427,7 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
     vm_real rf, rj, rest;
     rf = vmi_rf_rj(x, y, z, other, &rj);
     rest = 3 * ((other - z) * rj - rf);
-    return (rest + 3 * VM_SQRT(x * y * z / product) * vmi_rc(product, other * q)) / (z + q);
+    return (rest + 3 * VM_SQRT(x * y * z / product / other) * vmi_rc(product / other, q)) / (z + q);
 }
 
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
@@ -447,8 +451,9 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     z *= by.factor;
     p *= by.factor;
     if (p > 0) {
-        vmi_rf_rj(x, y, z, p, &rj);
-        rj *= 3;
+        const vm_real lift = VMI_RJ_LIFT;
+        vmi_rf_rj(lift * x, lift * y, lift * z, lift * p, &rj);
+        rj *= 3 * lift * VMI_ROOT_OF_RJ_LIFT;
     }
     else if (x == by.factor * top) rj = vmi_rj_principal(y, z, x, p);
     else if (y == by.factor * top) rj = vmi_rj_principal(z, x, y, p);
