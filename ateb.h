@@ -97,7 +97,7 @@
                             and ca only rise or only fall, apart from errors of 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to
                             within 1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros              of sa and ca have a relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4)
-                            and for plans, it is <= 2^-102 (float 2^-44). This error, times |s| and the slope of sa or
+                            and for plans, it is <= 2^-100 (float 2^-42). This error, times |s| and the slope of sa or
                             ca, comes in addition to the errors above. It matters only where s is within an ulp of a
                             zero.
      Pi_alpha               <= 1 ulp
@@ -918,7 +918,7 @@ VM_API vm_two vmi_ateb_polynomial(vm_two t)
     return sum;
 }
 
-/* Returns f(q) = q Pi_alpha, where q = 1/(alpha + 1), with a relative error of 2^-102 (float 2^-43) */
+/* Returns f(q) = q Pi_alpha, where q = 1/(alpha + 1), with a relative error of 2^-100 (float 2^-42) */
 VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 {
     const vm_two one = {1, 0}, minus_one = {-1, 0}, twice_q = vmi_two(2 * q.hi, 2 * q.lo);
@@ -1276,7 +1276,7 @@ VM_API vm_two vmi_ateb_g_of_large(vm_two q)
     return vmi_two_plus(two_ln2, product);
 }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-43). Let n = alpha + 1 and q = 1/n. For a large alpha
+/* Returns Pi_alpha/2 with a relative error of 2^-100 (float 2^-42). Let n = alpha + 1 and q = 1/n. For a large alpha
    Pi_alpha is n + g(q); for any other alpha it is n f(q), where f is vmi_ateb_gamma_ratio. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
@@ -2102,7 +2102,7 @@ typedef struct VM_TAG(vmi_ateb_place) {
 #define VMI_ATEB_FINE_REACH (VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5))
 
 /* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
-   ca. c->quarter becomes a sum of two words with a relative error of 2^-102 (float 2^-43). If the result is so small
+   ca. c->quarter becomes a sum of two words with a relative error of 2^-100 (float 2^-42). If the result is so small
    that this error would matter, the quarter period is used in three words. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
@@ -2541,12 +2541,13 @@ VM_INLINE vm_two vmi_ateb_twice_q_d(const ateb_plan *p, vm_real d, vm_real d_lo)
     return vmi_two(p->twice_q.hi * d, p->twice_q.lo * d + p->twice_q.hi * d_lo);
 }
 
-/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1). r and d + d_lo are the distances of s from the zeros of sa and
-   ca; 2 q d is computed as in vmi_ateb_base_of and is written to *y. Where X would be subnormal, the result is about
-   the smallest normal number instead. */
-VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_real r, vm_real d, vm_real d_lo, vm_two *y)
+/* Returns X = (2 q d)^(alpha+1), where q = 1/(alpha+1). r and d, each in two words, are the distances of s from the
+   zeros of sa and ca; 2 q d is computed as in vmi_ateb_base_of and is written to *y. Where X would be subnormal, the
+   result is about the smallest normal number instead. */
+VM_INLINE vm_real vmi_ateb_exponential(const ateb_plan *p, vm_two r, vm_two d, vm_two *y)
 {
-    const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r, 2 * r - p->g, d, d_lo);
+    const vm_real z = (2 * r.hi - p->g) + 2 * r.lo;
+    const vmi_ateb_base base = vmi_ateb_base_of(p->twice_q, r.hi, z, d.hi, d.lo);
     vm_real whole, rest;
     vmi_ateb_log2_of_power(p->n, base.k, base.t, &whole, &rest);
     *y = base.y;
@@ -2588,14 +2589,18 @@ VM_INLINE void vmi_ateb_part_at(const vmi_ateb_part *part, int length, vm_two ba
     *even = sum + (lost + tau * vmi_ateb_part_terms(part->even, length, tau));
 }
 
-/* Returns |s| minus the nearest multiple of Pi_alpha/2, for |s| < p->longest, which is 2^26 quarters (float 2^12).
-   *quarter becomes a number whose last two bits are the number of quarters modulo 4. */
-VM_INLINE vm_real vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *quarter)
+/* Returns |s| minus the nearest multiple of Pi_alpha/2 in two words, for |s| < p->longest, which is 2^26 quarters
+   (float 2^12). *quarter becomes a number whose last two bits are the number of quarters modulo 4. The first difference
+   is exact; the low word is what rounding takes from the other two. */
+VM_INLINE vm_two vmi_ateb_plan_reduce(const ateb_plan *p, vm_real s, vmi_bits *quarter)
 {
     const vm_real x = VM_FABS(s), to_integer = VM_C(1.5) / VM_EPSILON;
     const vm_real shifted = vmi_rounded(x * p->per_quarter + to_integer), count = vmi_rounded(shifted - to_integer);
+    const vm_real second = count * p->quarter_parts[1], third = count * p->quarter_parts[2];
+    const vm_real after_first = x - count * p->quarter_parts[0];
+    const vm_real after_second = vmi_rounded(after_first - second), rest = vmi_rounded(after_second - third);
     *quarter = vmi_to_bits(shifted);
-    return ((x - count * p->quarter_parts[0]) - count * p->quarter_parts[1]) - count * p->quarter_parts[2];
+    return vmi_two(rest, ((after_first - after_second) - second) + ((after_second - rest) - third));
 }
 
 /* `rest` is s minus the nearest multiple of Pi_alpha/2, computed with Pi_alpha/2 in two words. Returns 1 if this `rest`
@@ -2622,50 +2627,57 @@ VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_rea
     return rest; /* where count eps >= 1, the digits of x do not determine the phase */
 }
 
+/* Returns |x|, without a branch. */
+VM_INLINE vm_two vmi_ateb_absolute(vm_two x) { return vmi_two(VM_FABS(x.hi), VM_COPYSIGN(1, x.hi) * x.lo); }
+
+/* Returns the distance of s from the zero at the other end of its quarter, in two words: Pi_alpha/2 minus the distance
+   near_zero from the nearest zero. */
+VM_INLINE vm_two vmi_ateb_plan_far_zero(const ateb_plan *p, vm_two near_zero)
+{
+    const vm_real far_zero = vmi_rounded((p->quarter.hi - near_zero.hi) + p->quarter.lo);
+    return vmi_two(far_zero, ((p->quarter.hi - far_zero) - near_zero.hi) + (p->quarter.lo - near_zero.lo));
+}
+
 /* sa and ca of the argument s for the plan's alpha. s may be any number. For alpha up to 1e6 and |s| <= 100 Pi_alpha,
    the error of a plan of full accuracy is at most 2 ulp. In float, next to a zero of sa or ca, it is at most 2 ulp plus
-   the change that an error of 1e-13 |s| in s makes. Any other plan has the accuracy that was given to
+   the change that an error of 2^-42 |s| in s makes. Any other plan has the accuracy that was given to
    ateb_plan_init_to. The results are NaN for infinite and NaN s. docs/cost.md has the time of a call. */
 VM_API void ateb_plan_saca(const ateb_plan *p, vm_real s, vm_real *sa, vm_real *ca)
 {
-    vm_real rest, near_zero, far_zero, lost, v, u;
-    vm_real r, r_lo, d, d_lo; /* distances of s from the zeros of sa, ca, and their rounding errors */
+    vm_two rest, near_zero, far_zero, r, d; /* r and d are the distances of s from the zeros of sa and ca */
+    vm_real v, u;
     vmi_bits quarter;
     if (VM_FABS(s) < p->longest) rest = vmi_ateb_plan_reduce(p, s, &quarter);
     else if (VM_IS_FINITE(s)) {
         int count;
-        rest = vmi_reduce(VM_FABS(s), p->quarter, &count).hi;
+        rest = vmi_reduce(VM_FABS(s), p->quarter, &count);
         quarter = (vmi_bits)count;
     } else {
         *sa = VM_NAN;
         *ca = VM_NAN;
         return;
     }
-    if (vmi_ateb_plan_is_close(rest, s)) rest = vmi_ateb_plan_reduce_finely(p, VM_FABS(s), rest);
-    near_zero = VM_FABS(rest);
-    far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
-    lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
+    if (vmi_ateb_plan_is_close(rest.hi, s))
+        rest = vmi_two(vmi_ateb_plan_reduce_finely(p, VM_FABS(s), rest.hi), 0);
+    near_zero = vmi_ateb_absolute(rest);
+    far_zero = vmi_ateb_plan_far_zero(p, near_zero);
     r = far_zero;
-    r_lo = lost;
     d = near_zero;
-    d_lo = 0;
     if (!(quarter & 1)) {
         r = near_zero;
-        r_lo = 0;
         d = far_zero;
-        d_lo = lost;
     }
-    if (r <= p->change_over) vmi_ateb_part_at(p->part, p->length, vmi_two(r, r_lo), r * r, &v, &u);
+    if (r.hi <= p->change_over) vmi_ateb_part_at(p->part, p->length, r, r.hi * r.hi, &v, &u);
     else {
         vm_two base;
         vm_real tau;
         if (p->twice_alpha >= 0) {
-            base = vmi_ateb_twice_q_d(p, d, d_lo);
-            tau = vmi_ateb_product(p, d, d_lo);
-        } else tau = vmi_ateb_exponential(p, r, d, d_lo, &base);
+            base = vmi_ateb_twice_q_d(p, d.hi, d.lo);
+            tau = vmi_ateb_product(p, d.hi, d.lo);
+        } else tau = vmi_ateb_exponential(p, r, d, &base);
         vmi_ateb_part_at(p->part + 1, p->length, base, tau, &u, &v);
     }
-    vmi_ateb_signs(s, rest, quarter, &v, &u);
+    vmi_ateb_signs(s, rest.hi, quarter, &v, &u);
     *sa = v;
     *ca = u;
 }
@@ -2682,7 +2694,7 @@ enum { VMI_ATEB_BLOCK = 32 };
 
 /* Intermediate results for the arguments s of a block. `quarter` has the bits of the number of quarters, and `rest` is
    |s| minus the nearest multiple of the quarter period. r and d are the distances of s from the zeros of sa and ca,
-   with the rounding errors r_lo and d_lo. base, base_lo and tau are arguments of vmi_ateb_part_at. */
+   with the low words r_lo and d_lo. base, base_lo and tau are arguments of vmi_ateb_part_at. */
 typedef struct VM_TAG(vmi_ateb_block) {
     vmi_bits quarter[VMI_ATEB_BLOCK];
     vm_real rest[VMI_ATEB_BLOCK];
@@ -2696,16 +2708,15 @@ VM_INLINE void vmi_ateb_block_places(const ateb_plan *p, const vm_real *s, vmi_a
     int i;
     for (i = 0; i < VMI_ATEB_BLOCK; i++) {
         vmi_bits quarter;
-        const vm_real rest = vmi_ateb_plan_reduce(p, s[i], &quarter), near_zero = VM_FABS(rest);
-        const vm_real far_zero = vmi_rounded((p->quarter.hi - near_zero) + p->quarter.lo);
-        const vm_real lost = ((p->quarter.hi - far_zero) - near_zero) + p->quarter.lo;
+        const vm_two rest = vmi_ateb_plan_reduce(p, s[i], &quarter), near_zero = vmi_ateb_absolute(rest);
+        const vm_two far_zero = vmi_ateb_plan_far_zero(p, near_zero);
         const vmi_bits odd = 0 - (quarter & 1);
         at->quarter[i] = quarter;
-        at->rest[i] = rest;
-        at->r[i] = vmi_select(odd, far_zero, near_zero);
-        at->r_lo[i] = vmi_select(odd, lost, 0);
-        at->d[i] = vmi_select(odd, near_zero, far_zero);
-        at->d_lo[i] = vmi_select(odd, 0, lost);
+        at->rest[i] = rest.hi;
+        at->r[i] = vmi_select(odd, far_zero.hi, near_zero.hi);
+        at->r_lo[i] = vmi_select(odd, far_zero.lo, near_zero.lo);
+        at->d[i] = vmi_select(odd, near_zero.hi, far_zero.hi);
+        at->d_lo[i] = vmi_select(odd, near_zero.lo, far_zero.lo);
     }
 }
 
@@ -2735,7 +2746,8 @@ VM_INLINE void vmi_ateb_block_exponentials(const ateb_plan *p, vmi_ateb_block *a
     const vm_real sqrt_half = VM_C(0.70710678118654752);
     int i;
     for (i = 0; i < VMI_ATEB_BLOCK; i++) {
-        const vm_real r = at->r[i], d = at->d[i], qz = p->twice_q.hi * ((2 * r - p->g) / 2), by_r = 1 - qz;
+        const vm_real r = at->r[i], d = at->d[i], z = (2 * r - p->g) + 2 * at->r_lo[i];
+        const vm_real qz = p->twice_q.hi * (z / 2), by_r = 1 - qz;
         const vm_two by_d = vmi_ateb_twice_q_times(p->twice_q, d, at->d_lo[i]);
         const vmi_bits is_near = vmi_mask_of_sign(r - d) & vmi_mask_of_sign(qz - VM_C(0.29));
         const vm_real scale = VM_C(1.5) - VM_COPYSIGN(VM_C(0.5), by_d.hi - sqrt_half);
@@ -2804,10 +2816,10 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
 }
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
-   the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca; the
-   results have the same bits as its results. Arguments are computed in blocks of 32. Arguments with |s| >= p->longest,
-   and those that are not finite, are computed one by one. Arrays are faster than single calls on processors with wide
-   vector registers (docs/cost.md has the times). */
+   the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca. Unless
+   the compiler fuses products and sums, the results have the same bits as its results. Arguments are computed in blocks
+   of 32. Arguments with |s| >= p->longest, and those that are not finite, are computed one by one. Arrays are faster
+   than single calls on processors with wide vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;
@@ -2882,10 +2894,12 @@ VM_API void vmi_ateb_series(int beyond, vm_real alpha, vm_real q, vm_real *odd, 
 /* Economises the power series c_1 + c_2 x + c_3 x^2 + ... for 0 <= x <= limit: the function replaces it by a polynomial
    in x/unit with at most ATEB_PLAN_LENGTH terms, and returns the number of terms. `result` becomes the array of these
    coefficients times unit. The error of the polynomial is at most tolerance/limit if ATEB_PLAN_LENGTH terms are enough.
-   c is overwritten. */
+   The largest coefficient is computed as c_1 plus its change, so that it has no rounding errors from multiplying and
+   dividing by limit. c is overwritten. */
 VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real tolerance, vm_real *result)
 {
     const int highest = VMI_ATEB_TERMS - 2;
+    const vm_real largest = c[1];
     vm_real power = 1, height = vmi_ldexp(1, 1 - 2 * highest);
     int i, k;
     for (i = 0; i <= highest; i++) { /* now c is limit times the series, in powers of x/limit */
@@ -2904,6 +2918,7 @@ VM_API int vmi_ateb_economise(vm_real *c, vm_real limit, vm_real unit, vm_real t
         result[i] = 0;
         if (i <= k) result[i] = c[i] * power;
     }
+    result[0] = largest * unit + (c[0] - largest * limit) * (unit / limit);
     return k + 1;
 }
 
@@ -2917,7 +2932,7 @@ VM_API int vmi_ateb_part_init(vmi_ateb_part *part, int beyond, const ateb_plan *
     int length, even_length;
     if (beyond) {
         vm_two y;
-        limit = vmi_ateb_exponential(p, p->change_over, p->quarter.hi - p->change_over, 0, &y);
+        limit = vmi_ateb_exponential(p, vmi_two(p->change_over, 0), vmi_two(p->quarter.hi - p->change_over, 0), &y);
     }
     vmi_ateb_series(beyond, alpha, p->twice_q.hi / 2, odd, even);
     length = vmi_ateb_economise(odd, limit, unit, tolerance, part->odd);

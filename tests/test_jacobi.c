@@ -726,6 +726,21 @@ static void test_last_digits(void)
     CHECK(in_range);
 }
 
+/* u so large that its last digits are about as long as K: sn and cn still belong to one angle. */
+static void test_largest_arguments(void)
+{
+    int i;
+    for (i = 0; i < 200000; i++) {
+        const vm_real m = (vm_real)(i % 3 ? uniform(0, 1) : -pow(10, uniform(0, 6)));
+        const vm_real u = (vm_real)((double)jacobi_K(m) / (double)VM_EPSILON * pow(2, uniform(-5, 1)));
+        vm_real sn, cn, dn;
+        jacobi_sncndn(u, m, &sn, &cn, &dn);
+        check_error("sn^2 + cn^2 = 1", "u to 2K/eps", "eps",
+                    fabs((double)sn * (double)sn + (double)cn * (double)cn - 1) / (double)VM_EPSILON, 8, (double)u,
+                    (double)m);
+    }
+}
+
 int main(void)
 {
     check_least_powers();
@@ -749,5 +764,6 @@ int main(void)
     test_kernels();
     test_carlson();
     test_last_digits();
+    test_largest_arguments();
     return check_finish("jacobi.h");
 }

@@ -96,7 +96,7 @@ VM_API vm_two vmi_ateb_polynomial(vm_two t)
     return sum;
 }
 
-/* Returns f(q) = q Pi_alpha, where q = 1/(alpha + 1), with a relative error of 2^-102 (float 2^-43) */
+/* Returns f(q) = q Pi_alpha, where q = 1/(alpha + 1), with a relative error of 2^-100 (float 2^-42) */
 VM_API vm_two vmi_ateb_gamma_ratio(vm_two q)
 {
     const vm_two one = {1, 0}, minus_one = {-1, 0}, twice_q = vmi_two(2 * q.hi, 2 * q.lo);
@@ -454,7 +454,7 @@ VM_API vm_two vmi_ateb_g_of_large(vm_two q)
     return vmi_two_plus(two_ln2, product);
 }
 
-/* Returns Pi_alpha/2 with a relative error of 2^-102 (float 2^-43). Let n = alpha + 1 and q = 1/n. For a large alpha
+/* Returns Pi_alpha/2 with a relative error of 2^-100 (float 2^-42). Let n = alpha + 1 and q = 1/n. For a large alpha
    Pi_alpha is n + g(q); for any other alpha it is n f(q), where f is vmi_ateb_gamma_ratio. */
 VM_API vm_two vmi_ateb_fine_quarter(const vmi_ateb *c)
 {
