@@ -119,7 +119,7 @@ promises: build/tests/promises.log
 numbers:
 	CC="$(CC)" sh bench/numbers.sh table >build/numbers.md && mv build/numbers.md docs/numbers.md
 	@$(STAMP) numbers
-	sh bench/numbers.sh write README.md docs/accuracy.md docs/extending.md src/*.h src/*/*.h
+	sh bench/numbers.sh write README.md docs/accuracy.md docs/cost.md docs/extending.md src/*.h src/*/*.h
 	@$(MAKE) -s headers
 
 peers:

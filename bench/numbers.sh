@@ -168,6 +168,11 @@ table() {
     number closed_flash "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 1
     number closed_stack "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 2
     number closed_instructions "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 3
+    plan='^[|] `ateb_plan_saca [(]alpha = 3[)]`'
+    number saca_plan_instructions "docs/firmware.md, M4F, float" cell least firmware "$plan" 3 3
+    number saca_plan_instructions_double "docs/firmware.md, M4F, double" cell most firmware "$plan" 3 3
+    number saca_plan_instructions_m7 "docs/firmware.md, M7, double" cell most firmware "$plan" 4 3
+    number amplitude_instructions "docs/firmware.md, M4F, float" cell least firmware '^[|] `vm_osc_amplitude_law`' 3 3
     number coverage_lines "docs/reliability.md, smallest value of the headers, %" coverage 3
     number coverage_outcomes "docs/reliability.md, smallest value of the headers, %" coverage 5
     number jacobi_plan_bytes "sizeof" size_of "" jacobi.h jacobi_plan
