@@ -16,7 +16,9 @@ sa, ca prepared, without a power @ ateb @ saca; |s| < 10; alpha = 3 @ ateb_plan_
 sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1.333 @ ateb_plan_saca @ 3 @ ateb_plan_saca_4_3 @ the power needs a logarithm and an exponential, which wait for the reduction of the phase; the polynomials wait for the power
 sa, ca prepared, with a power @ ateb @ saca; |s| < 10; alpha = 1000 @ ateb_plan_saca @ 3 @  @ the power, which needs a logarithm and an exponential
 arrays, -O3 -march=native @ jacobi_wide @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn_array @ 0.5 @ jacobi_plan_sncndn_array @ a vector holds few numbers, and each needs the reduction and a division
+arrays, -O3 -march=native, m near 1 @ jacobi_wide @ sncndn; |u| < 2K; m = 0.99 @ jacobi_plan_sncndn_array @ 0.5 @  @ each number needs sinh and cosh, which are computed from an exponential
 arrays, -O3 -march=native @ ateb_wide @ saca; |s| < 10; alpha = 3 @ ateb_plan_saca_array @ 0.5 @  @ both ranges of s are computed for each s, since a vector cannot branch
+arrays, -O3 -march=native, with a power @ ateb_wide @ saca; |s| < 10; alpha = 1.333 @ ateb_plan_saca_array @ 0.8 @  @ each number needs a logarithm and an exponential for the power, and both ranges of s are computed
 sn, cn, dn in float @ jacobi_float @ sncndn; |u| < 2K; 0 < m < 0.5 @ jacobi_sncndn @ 5 @ jacobi_sncndn @ sinf is fast because it computes in double; the float code of the kit must not use double
 sn, cn, dn prepared, in float @ jacobi_float @ sncndn; |u| < 2K; m = 0.5 @ jacobi_plan_sncndn @ 2 @ jacobi_plan_sncndn @ sinf is fast because it computes in double; the float code of the kit must not use double
 sa, ca in float @ ateb_float @ saca; |s| < 10; 0 < alpha < 5 @ ateb_saca @ 12 @ ateb_saca @ sinf is fast because it computes in double; the float code of the kit must not use double
