@@ -1275,16 +1275,17 @@ VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 #endif
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
-   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx from 0 to pi/2,
-   too. The parameter m = k^2 is any number <= 1, also a negative one. The forms with suffix _m1 take m1 = 1 - m; use
-   them for m close to 1, where the difference 1 - m would lose digits. For m between -33.5 and 0.971, K and E are
-   computed by series after one or two steps of the arithmetic-geometric mean, for any other m by sums that contain the
-   logarithm of k' = sqrt(1 - m).
+     K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x),
+     E(m) = integral from 0 to pi/2 of sqrt(1 - m sin^2 x) dx.
+   The parameter m = k^2 is any number <= 1, also a negative one. The functions with the suffix _m1 take m1 = 1 - m; use
+   them for m close to 1, where the difference 1 - m would lose digits. For m between -33.5 and 0.971 K and E are
+   computed by series after steps of the arithmetic-geometric mean: two steps for K, one for E. For any other m they are
+   computed by sums that contain the logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
-   Equation (307) and DLMF 19. The polynomials are computed by tests/gen/jacobi_coefficients.py. Tests:
-   tests/test_jacobi.c. */
+   Source: equation (307) of the dissertation, and DLMF 19. The polynomials are computed by
+   tests/gen/jacobi_coefficients.py. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_INTEGRALS_H
 #define VARMASS_JACOBI_INTEGRALS_H
 
@@ -1306,8 +1307,8 @@ VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
     return vmi_two(sum.hi, sum.lo + (ln4_lo + half * (L.lo + m1_lo / m1)));
 }
 
-/* Returns K for 1 - m = c <= 1/2 and l = ln(4/k'), as K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)). The polynomials A
-   and B were fitted together; the relative error that they make in K is below 2^-58 (float 2^-30). */
+/* Returns K in two words for 1 - m = c <= 1/2 and l = ln(4/k'), as K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)). The
+   polynomials A and B were fitted together; the relative error that they make in K is below 2^-58 (float 2^-30). */
 VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
 {
     const vm_real cc = c * c, head = vmi_head(c), tail = c - head;
@@ -1358,10 +1359,10 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* Returns S(x), the power series for which K = pi/(1 + k') (1 + x S(x)) with x = ((1 - k')/(1 + k'))^2, for x <=
-   0.0295. S is computed by a polynomial. The polynomial's error of x S is below 2^-59.2 (float 2^-29.9). x is made this
-   small by a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for
-   every m1 for which VMI_MIDDLE(m1) is 1. */
+/* Returns S(x) for x = ((1 - k')/(1 + k'))^2. S is the power series for which K = pi/(1 + k') (1 + x S(x)), and it is
+   computed by a polynomial. The polynomial's error of x S is below 2^-58.7 (float 2^-29.6) for x <= 0.0299. vmi_K
+   makes x so small by a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One such step
+   leads to x < 0.0299 for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -1375,9 +1376,9 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503, where S is the power series for which E = (pi/4) (1 + k')
-   (1 + x S(x)); this S is not the S of vmi_K_series. S is computed by a polynomial. The polynomial's error of x S is
-   below 2^-56.7 (float 2^-28.5). */
+/* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503. S is the power series for which E = (pi/4) (1 + k') (1 + x
+   S(x)), not the S of vmi_K_series, and it is computed by a polynomial. The polynomial's error of x S is below 2^-56.7
+   (float 2^-28.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -1400,9 +1401,9 @@ VM_API vm_real vmi_E_series(vm_real x)
 }
 
 /* Returns K for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the
-   arithmetic-geometric mean and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and
-   x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k'
-   K(m) = K(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
+   arithmetic-geometric mean and the series S(x) of vmi_K_series: K = 2 pi (1 + x S(x))/(1 + f)^2 with f^2 = k' and
+   x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from a logarithm (vmi_K_by_log). For m < -33.5 K is K(mu)/k', where mu
+   is the parameter with 1 - mu = 1/(1 - m), and K(mu) comes from a logarithm, too. */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -1424,8 +1425,9 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for
-   m > 0.971 from vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series. For
+   m > 0.971 E comes from vmi_E_rest. For m < -33.5 E is k' E(mu), where mu is the parameter with 1 - mu = 1/(1 - m),
+   and E(mu) comes from vmi_E_rest, too. */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -1434,7 +1436,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k': m1_lo/(2 k') for m < -15; for other m negligible */
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k': about m1_lo/(2 k') for m < -15, else negligible */
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
@@ -1471,9 +1473,8 @@ VM_API vm_real jacobi_E(vm_real m)
     return vmi_E(m1.hi, m1.lo);
 }
 
-/* k' K(m) = sqrt(1 - m) K(m), the left side of equation (307), for m <= 1.
-   It falls from infinity, as m tends to -infinity, to 0 at m = 1. The error is at most 5 ulp. Returns NaN for m > 1
-   and for infinite m. */
+/* k' K(m) = sqrt(1 - m) K(m), the left side of equation (307), for m <= 1. The product falls from infinity, as m tends
+   to -infinity, to 0 at m = 1. The error is at most 5 ulp. Returns NaN for m > 1 and for infinite m. */
 VM_API vm_real jacobi_kpK(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3052,18 +3053,20 @@ VM_API vm_real jacobi_agm_K(vm_real m)
 /* jacobi/third_kind.h - elliptic integrals of the third kind, theta functions of complex argument
 
    The attitude of a body that rotates without torque needs, besides sn, cn and dn, the complete integral of the third
-   kind Pi(-N | m) and theta functions of a complex argument. Both are computed here in two words, so that the
-   attitude stays right after a million turns (mechanics/torque_free.h). All functions of this file are internal. p is
-   the number of binary digits of vm_real.
+   kind Pi(-N | m) and theta functions of a complex argument. The integrals are computed here in two words, because the
+   rates that follow from them are multiplied by long times; with two words the attitude stays right even after a
+   million turns (mechanics/torque_free.h). The theta functions are computed in one word. All functions of this file are
+   internal. p is the number of binary digits of vm_real.
 
    Source: DLMF 19.8, 19.36, 20.7. Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
 #define VARMASS_JACOBI_THIRD_KIND_H
 
-/* Returns Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The
-   arguments are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has
-   an error of 2^-(2p - 4), where p is the number of binary digits of vm_real. If an argument is 2^-n times the largest
-   one, log2(n) more duplications are needed. */
+/* Returns Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0.
+   Duplications (jacobi/carlson.h), usually 7, bring the arguments together, until the series in their differences (DLMF
+   19.36.1) has an error of 2^-(2p - 4), where p is the number of binary digits of vm_real. If two of the arguments are
+   much smaller than the third one, and the larger of these two is 2^-n times the third one, about log2(n) more
+   duplications are needed. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -3095,26 +3098,27 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* The complete integral of the third kind, Pi(-N | m), divided by K(m) */
+/* The complete integral of the third kind, Pi(-N | m), divided by K(m), and the mean from which K(m) follows */
 typedef struct VM_TAG(vmi_third_kind) {
     vm_two mean;  /* agm(1, k') = pi/(2K) */
     vm_two ratio; /* Pi(-N | m)/K(m) */
     vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
-/* Returns the complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below =
-   1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric mean (DLMF
-   19.8.6-7). Each step replaces p and Q by p+ and Q+:
+/* Returns the complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
+   below = 1/(1 + N). The method begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the
+   arithmetic-geometric mean (DLMF 19.8.6-7). Each step replaces a and g by their two means, and p and Q by p+ and Q+:
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2.
-   1 - Pi/K is share/2 times the sum of all Q. Since this sum is 2 minus the sum of all Q (1 - e), both ratio = Pi/K and
-   rest = 1 - Pi/K are sums of positive terms. Therefore they are accurate for any N. */
+   The field rest = 1 - Pi/K is share/2 times the sum of all Q. This sum is also 2 minus the sum of all Q (1 - e).
+   Therefore the field ratio = Pi/K is `below` plus share/2 times the sum of all Q (1 - e). For m >= 0 all terms of both
+   fields are positive, so that both are accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and a step for each binary digit of sqrt(1 + N) */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one more for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -3134,7 +3138,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* Computes the sine and the cosine of an angle of x turns, that is of 2 pi x, for |x| < 2^13. */
+/* Computes the sine and the cosine of an angle of x turns, that is of 2 pi x radians, for |x| < 2^13. */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -3154,21 +3158,22 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* The complex number theta_4(z + i zy), up to a real factor. Its angle is the periodic part of the angle by which a
-   torque-free body turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome is
-   Q = q^2, where q is the nome of m. There are two forms of the series.
-   The direct form is used for K <= 2K', so that Q <= exp(-pi):
+/* The numbers from which vmi_doubled_at computes theta_4(z + i zy), up to a real factor, which does not matter: only
+   the angle of this complex number is used. This angle is the periodic part of the angle by which a torque-free body
+   turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome of theta_4 is Q = q^2,
+   where q is the nome of m. There are two forms of the series. The direct form is used for K <= 2K', so that
+   Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.
-   The transformed form, the theta series after Jacobi's imaginary transformation, is used for larger K. With
-   Qd = exp(-pi K/(2K')) < exp(-pi), v = (2n + 1) pi/(4K') and |u| <= K it is
+   The transformed form, the theta series after Jacobi's imaginary transformation, is used for K > 2K'. Let Qd be
+   exp(-pi K/(2K')), which is below exp(-pi), and v = (2n + 1) pi/(4K'). Then, for |u| <= K, the transformed form is
      e^(-i pi u y/(4KK')) times the sum over n >= 0 of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')).
    In both forms four terms leave an error of 1e-19. The sums are stored as polynomials: in cos 2z in the direct form,
-   in exp(+-pi |u|/(2K')) in the transformed form. */
+   in Qd e^(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
-    vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) = exp(-decay |x|), where x = u/(4K); decay = 0 means
-                      that the fields are for the direct form, the Fourier series in cos 2nz and sin 2nz */
+    vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) is exp(-decay |x|), where x = u/(4K). If decay is 0,
+                      the fields are those of the direct form, the Fourier series in cos 2nz and sin 2nz */
     vm_real shift; /* the angle of the factor e^(-i pi u y/(4KK')) is shift x turns, where x = u/(4K) */
     vm_real Q;     /* Qd = exp(-pi K/(2K')), the nome of the transformed form; 0 in the direct form */
     vm_real re[4], im[4]; /* coefficients of the two polynomials, for the real and the imaginary part */
@@ -3200,7 +3205,8 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
 }
 
 /* Prepares the transformed form of theta_4, the theta series after Jacobi's imaginary transformation. Kc is
-   K' = K(1 - m). K may be infinite: then the argument x of vmi_doubled_at is u itself, not u/(4K). */
+   K' = K(1 - m). For m = 1, where K is infinite, the argument x of vmi_doubled_at is u itself, not u/(4K), and `shift`
+   is 0. */
 VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 {
     const int aperiodic = !VM_IS_FINITE(K);
@@ -3227,7 +3233,8 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 /* Returns the polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3. */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
-/* Computes theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), by which the caller multiplies. */
+/* Computes the real and the imaginary part of theta_4 at x = u/(4K), |x| <= 1/4. (If K is infinite, x is u and may be
+   any number.) The factor e^(2 pi i shift x) is left out: the caller multiplies by it. */
 VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, vm_real *im)
 {
     if (d->decay > 0) {
@@ -3247,17 +3254,22 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
 #endif
 /* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
 
-   Every elliptic integral is a sum of a few of these five. They are computed without loss of digits and without special
-   cases:
+   Every elliptic integral is a sum of a few of these five:
      R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
      R_J(x, y, z, p) = 3/2 integral from 0 to infinity of dt/((t + p) s(t)),
-   R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
+     R_C(x, y)       = R_F(x, y, y),
+     R_D(x, y, z)    = R_J(x, y, z, z),
+   and R_G, which gives the surface of an ellipsoid. No digits are lost. One method computes R_F, R_D and R_J for all
+   arguments, without special formulas for some of them (such as m near 1).
 
        vm_real K = jacobi_RF(0, VM_C(0.75), 1); // K(m) = R_F(0, 1 - m, 1)
 
-   Method: Carlson's duplication brings the arguments closer together, until a power series about their mean is exact
-   enough. The equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms of the series, so that
-   usually two or three duplications are enough. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
+   Method: Carlson's duplication replaces each of the arguments x, y, z by a quarter of its sum with
+   lambda = sqrt(x y) + sqrt(y z) + sqrt(z x). R_F keeps its value, and the new arguments are closer together. From R_D
+   and R_J each duplication splits off a known term. Duplications are made until a power series about the mean of the
+   arguments is exact enough. The equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms of
+   the series, so that usually two or three duplications are enough. R_C is an arctangent or a logarithm, and R_G is a
+   sum of terms with R_F and R_D. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_CARLSON_H
 #define VARMASS_JACOBI_CARLSON_H
 
@@ -3266,7 +3278,7 @@ VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, v
 typedef struct VM_TAG(vmi_carlson) {
     vm_real x, y, z; /* the arguments */
     vm_real mean;    /* their mean (x + y + z)/3 */
-    vm_real rest;    /* rounding error of the first mean; each duplication divides it by 4. mean + rest is more exact */
+    vm_real rest;    /* rounding error of the first mean, divided by 4 in each duplication: mean + rest is more exact */
     vm_real X, Y;    /* mean - x and mean - y; mean - z is -(X + Y) */
     vm_real a, b, c; /* the square roots of x, y, z in the last duplication */
     vm_real lambda;  /* a b + b c + c a in the last duplication */
@@ -3292,14 +3304,14 @@ VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
     return s;
 }
 
-/* Returns the largest distance of an argument x, y, z from their mean. */
+/* Returns the largest of the distances of x, y and z from their mean. */
 VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
 {
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
 }
 
-/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change in the same way. No digits are
-   lost. */
+/* Makes one duplication (DLMF 19.26.18): replaces x by (x + lambda)/4, and y and z in the same way. No digits are lost,
+   since no term is negative. */
 VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
 {
     s->a = VM_SQRT(s->x);
@@ -3315,9 +3327,8 @@ VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
     s->Y *= VM_C(0.25);
 }
 
-/* Computes two symmetric functions of X, Y, Z, the distances of the arguments from the mean, divided by the mean;
-   X + Y + Z is 0:
-   E2 = XY + YZ + ZX, E3 = XYZ */
+/* Computes E2 = XY + YZ + ZX and E3 = XYZ. Here X, Y and Z are the differences mean - x, mean - y and mean - z, divided
+   by the mean, so that X + Y + Z is 0. */
 VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real *E3)
 {
     const vm_real per_mean = 1 / s->mean, X = s->X * per_mean, Y = s->Y * per_mean, Z = -(X + Y);
@@ -3325,9 +3336,9 @@ VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real 
     *E3 = X * Y * Z;
 }
 
-/* Returns R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean.
-   t_N is the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of
-   vmi_carlson_symmetric (DLMF 19.19.7). */
+/* Returns R_F from arguments that are close together. R_F is the sum over N >= 0 of t_N/(2N + 1), divided by the square
+   root of the mean. Here t_N is the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2 and
+   E3 of vmi_carlson_symmetric (DLMF 19.19.7). */
 VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
 {
     vm_real E2, E3, low, high = 0;
@@ -3350,9 +3361,10 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* Returns power R_J/3 from arguments x, y, z and p that are close together, where P is 1 - p/mean. R_J/3 is the sum
-   over N of T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P
-   s). `power` is divided by the mean first, because mean^(3/2) underflows where p was much larger than x, y and z. */
+/* Returns the product of `power` and R_J/3 from arguments x, y, z and p that are close together. The mean is that of x,
+   y and z, and P is 1 - p/mean. R_J/3 is the sum over N >= 0 of T_N/(2N + 3), divided by mean^(3/2). Here T_N is the
+   coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). `power` is divided by the mean
+   first, because mean^(3/2) alone underflows if p was much larger than x, y and z before the duplications. */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P, vm_real power)
 {
     vm_real E2, E3, t, T, sum;
@@ -3409,9 +3421,9 @@ VM_INLINE void vmi_carlson_add(vm_two *sum, vm_real term)
     sum->lo += more.lo;
 }
 
-/* Returns R_F(x, y, z), and R_D(x, y, z)/3 in *third, for z > 0 and arguments of which at most one is 0. One sequence
-   of duplications serves both. Each duplication adds a positive term to R_D/3, which is 1/(c (z + lambda)) times a
-   power of 4 (DLMF 19.26.20); z + lambda is (c + a)(c + b). */
+/* Returns R_F(x, y, z), and R_D(x, y, z)/3 in *third, for x, y >= 0, of which at most one is 0, and z > 0. The same
+   duplications serve both integrals. Each duplication adds a positive term to R_D/3, which is 1/(c (z + lambda)) times
+   a power of 1/4 (DLMF 19.26.20); z + lambda is computed as (c + a)(c + b), with the fields a, b, c of vmi_carlson. */
 VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *third)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -3443,9 +3455,10 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* Returns R_C(1, y) for y > 0 from both y and e = y - 1. With r = sqrt(|e|) it is arctan(r)/r for y > 1 and
-   artanh(r)/r, which is (ln(1 + r) - ln(y)/2)/r, for y < 1. Next to y = 1 it is computed by vmi_rc_series after one
-   duplication, which divides e by (1 + sqrt(y))^2. */
+/* Returns R_C(1, y) for y > 0 from both y and e = y - 1. Let r be sqrt(|e|). For y > 1 R_C(1, y) is arctan(r)/r. For
+   y < 1 it is artanh(r)/r, which is computed as (ln(1 + r) - ln(y)/2)/r. For |e| < 0.18 these formulas would lose
+   digits. There one duplication, which divides e by (1 + sqrt(y))^2, makes e small enough for the series of
+   vmi_rc_series. */
 VM_API vm_real vmi_rc_of_1(vm_real y, vm_real e)
 {
     vm_real root;
@@ -3478,8 +3491,9 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
     return factor * vmi_rc_apart(x, y, y - x);
 }
 
-/* Where the arguments of R_J differ much, the largest of them is brought to about this number, 2^500 (float 2^42), and
-   not to 1. The power 3/2 of the smallest argument then does not underflow. */
+/* A large power of 4, 2^500 (float 2^42), and its square root. jacobi_RJ for p > 0, and vmi_rf_rj_weighted where it
+   scales the arguments, bring the largest argument to about this power instead of 1. The power 3/2 of the smallest
+   argument then does not underflow, even if the arguments differ much in size. */
 #if VM_MANT_DIG > 24
 #define VMI_RJ_LIFT VM_C(3.273390607896142e+150)
 #define VMI_ROOT_OF_RJ_LIFT VM_C(1.8092513943330656e+75)
@@ -3489,11 +3503,12 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
 #endif
 
 /* Returns R_F(x, y, z), and R_J(x, y, z, p)/3 in *third, for p > 0 and arguments x, y, z >= 0 of which at most one is
-   0. The largest argument should be between 1 and VMI_RJ_LIFT, because d below, which grows as the power 3/2 of the
-   arguments, must neither overflow nor underflow. Each duplication adds 2/d R_C(1, 1 + e), times a power of 4, to
-   R_J/3 (DLMF 19.26.21 and Carlson 1995). Here d = (r + a)(r + b)(r + c) and r = sqrt(p). d is computed as r p + p (a
-   + b + c) + r lambda + a b c, which has fewer rounding errors. Both 1 + e = 2 r (p + lambda)/d and e = (r - a)(r -
-   b)(r - c)/d are computed, so that neither loses digits. */
+   0. Each duplication adds 2/d R_C(1, 1 + e), times a power of 1/4, to R_J/3 (DLMF 19.26.21 and Carlson 1995). Here
+   d = (r + a)(r + b)(r + c) and r = sqrt(p), with the fields a, b, c of vmi_carlson. d grows as the power 3/2 of the
+   arguments, and must neither overflow nor underflow: the callers choose arguments of which the largest is between eps
+   and about 2^600 (float 2^80). d is computed as r p + p (a + b + c) + r lambda + a b c, which has fewer rounding
+   errors than the product. Both 1 + e = 2 r (p + lambda)/d and e = (r - a)(r - b)(r - c)/d are computed, so that
+   neither loses digits. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *third)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -3517,14 +3532,16 @@ VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *th
     return vmi_carlson_first(&s);
 }
 
-/* The arguments of an integral are multiplied by `factor`, a power of 4, so that the largest is about 1 and no power of
-   them overflows or underflows. R_F and R_C are then multiplied by `root`, the root of the factor. */
+/* The scale of the arguments of an integral. The arguments are multiplied by `factor`, a power of 4 that brings the
+   largest of them to a number between 1 and 8, so that no power of this argument overflows or underflows. R_F and R_C
+   of the new arguments are then multiplied by `root`, the square root of the factor, which gives their original
+   values. */
 typedef struct VM_TAG(vmi_carlson_scale) {
     vm_real factor, root;
 } vmi_carlson_scale;
 
-/* Returns the scale for the largest of the arguments, a finite number > 0. A subnormal number is not brought to 1,
-   since the factor would overflow; the product is at least eps. */
+/* Returns the scale for arguments of which the largest is `largest`, a finite number > 0. A subnormal number is not
+   brought to 1, since the factor would overflow; the product of such a number and the factor is at least eps. */
 VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
 {
     const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS;
@@ -3535,9 +3552,10 @@ VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
     return scale;
 }
 
-/* Returns R_F(x, y, z), and the product of `weight` and R_D(x, y, z)/3 in *third, for arguments of any size, of which
-   the largest is `top`. R_D itself may overflow or underflow if this product does not. The product has two words, so
-   that it is not rounded before it is used. */
+/* Returns R_F(x, y, z), and the product of `weight` and R_D(x, y, z)/3 in *third, for arguments of any size. `top` is
+   the largest argument; where it is not between eps and 1/eps, the arguments are scaled first. (A caller that has
+   scaled them already passes top = 1.) With scaling, the product is right even if R_D itself would overflow or
+   underflow. Without scaling, the product has two words, so that it is not rounded before it is used. */
 VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_two weight, vm_two *third)
 {
     vmi_carlson_scale by;
@@ -3554,9 +3572,10 @@ VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, 
     return by.root * rf;
 }
 
-/* Returns R_F(x, y, z), and the product of `weight` and R_J(x, y, z, p)/3 in *third, for arguments of any size, of
-   which the largest is `top`. R_J itself may overflow or underflow if this product does not. The product has two words,
-   so that it is not rounded before it is used. */
+/* Returns R_F(x, y, z), and the product of `weight` and R_J(x, y, z, p)/3 in *third, for arguments of any size. `top`
+   is the largest of x, y and z; where it is not between eps and 1/eps, the arguments are scaled first. (A caller that
+   has scaled them already passes top = 1.) With scaling, the product is right even if R_J itself would overflow or
+   underflow. Without scaling, the product has two words, so that it is not rounded before it is used. */
 VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
                                   vm_two *third)
 {
@@ -3573,7 +3592,8 @@ VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm
     return by.root * rf;
 }
 
-/* Returns s (first + second) for numbers in two words, with two roundings. */
+/* Returns the product s (first + second), rounded to one word. The three arguments have two words each. Only two
+   roundings change the result noticeably. */
 VM_INLINE vm_real vmi_times_sum(vm_two s, vm_two first, vm_two second)
 {
     vm_two sum = vmi_two_sum(first.hi, second.hi);
@@ -3581,7 +3601,8 @@ VM_INLINE vm_real vmi_times_sum(vm_two s, vm_two first, vm_two second)
     return s.hi * sum.hi + (s.hi * sum.lo + s.lo * sum.hi);
 }
 
-/* Returns 1 if x > 0 is so much smaller than the largest argument that the scale makes it subnormal or 0, else 0. */
+/* Returns 1 if the scale `by` makes x > 0 subnormal or 0, else 0. It does so if x is much smaller than the largest
+   argument, from which the scale was computed. */
 VM_API int vmi_carlson_is_lost(vmi_carlson_scale by, vm_real x) { return x > 0 && by.factor * x < VM_MIN; }
 
 /* Returns 1 if x, y, z >= 0, else 0. */
@@ -3593,9 +3614,9 @@ VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
     return x + y == 0 || y + z == 0 || z + x == 0;
 }
 
-/* Returns the limit of R_F, R_D or R_J at arguments that are 0 or infinite. `zeros` is 1 if so many arguments are 0
-   that the integral diverges: then the limit is infinity. `infinite` is 1 if an argument is infinite: then the limit is
-   0. If both are 1, there is no limit, and the result is NaN. */
+/* Returns the limit of R_F, R_C, R_D or R_J at arguments that are 0 or infinite. `zeros` is 1 if so many arguments are
+   0 that the integral diverges: then the limit is infinity. `infinite` is 1 if an argument is infinite: then the limit
+   is 0. If both are 1, there is no limit, and the result is NaN. */
 VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 {
     if (zeros && infinite) return VM_NAN;
@@ -3603,9 +3624,10 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
     return 0;
 }
 
-/* Returns R_F where the largest argument is so great that sums would overflow. The function makes one duplication and
-   divides the new arguments by 16. Each term is divided before it is added, so that no sum overflows. After the
-   duplication no argument is small. */
+/* Returns R_F where the largest argument is so great that sums of arguments would overflow. The function makes one
+   duplication, divides the new arguments by 16, and takes R_F of the quotients, which is 4 times the result. Each term
+   is divided before it is added, so that no sum overflows. After the duplication no argument is so small that products
+   of arguments lose digits. */
 VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
 {
     const vm_real a = VM_SQRT(x) / 2, b = VM_SQRT(y) / 2, c = VM_SQRT(z) / 2;
@@ -3613,9 +3635,10 @@ VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
     return VM_C(0.25) * vmi_rf(x / 64 + lambda, y / 64 + lambda, z / 64 + lambda);
 }
 
-/* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
-   most 8 ulp. R_F is infinite if two arguments are 0. It is 0 if an argument is infinite, and NaN if one is negative.
-   K(m) is R_F(0, 1 - m, 1), and F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+/* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. R_F does not change if arguments are exchanged.
+   The error is at most 8 ulp. R_F is infinite if two arguments are 0, and 0 if an argument is infinite. It is NaN if
+   both hold, or if an argument is negative. K(m) is R_F(0, 1 - m, 1). With s = sin phi, F(phi | m) is s
+   R_F(1 - s^2, 1 - m s^2, 1) for |phi| <= pi/2. DLMF 19.16.1. */
 VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -3629,9 +3652,9 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
     return by.root * vmi_rf(by.factor * x, by.factor * y, by.factor * z);
 }
 
-/* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
-   logarithm for x > y. The error is at most 8 ulp. For y < 0 R_C is Cauchy's principal value. It is infinite for y =
-   0. It is 0 if an argument is infinite, and NaN if x is negative. DLMF 19.2.17. */
+/* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. R_C is an arctangent for x < y and a
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 R_C is Cauchy's principal value. R_C is infinite if y is
+   0, and 0 if an argument is infinite. It is NaN if both hold, or if x is negative. DLMF 19.2.17. */
 VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 {
     const vm_real largest = vmi_larger(x, VM_FABS(y));
@@ -3643,9 +3666,10 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* R_C does not depend on the sign of a y this small */
 }
 
-/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
-   y. The error is at most 8 ulp. R_D is infinite if z = 0 or x = y = 0. It is 0 if an argument is infinite, and NaN
-   if one is negative or more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.5. */
+/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. R_D does not change if x and
+   y are exchanged. The error is at most 8 ulp. R_D is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite.
+   It is NaN if both hold, or if an argument is negative. It may be NaN, too, if one argument is more than 1e307 times
+   (float 1e37) another one that is not 0. DLMF 19.16.5. */
 VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -3660,8 +3684,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * (3 * rd)));
 }
 
-/* Returns R_J(x, y, z, p) for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is
-   computed from R_J with the positive number `other` in place of p (DLMF 19.20.14). */
+/* Returns R_J(x, y, z, p) for p < 0, Cauchy's principal value of the integral, for 0 <= x, y <= z of which at most one
+   is 0. R_J is computed from R_J(x, y, z, other), where `other` is a positive number (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
@@ -3671,11 +3695,12 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
     return (rest + 3 * VM_SQRT(x * y * z / product / other) * vmi_rc(product / other, q)) / (z + q);
 }
 
-/* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
-   error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16 ulp elsewhere. For p < 0
-   R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). R_J is infinite
-   if p = 0 or if two of x, y, z are 0. It is 0 if an argument is infinite. It is NaN if x, y or z is negative, or if
-   one argument is more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
+/* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. R_J does not change if x, y and z are
+   exchanged. For p > 0 the error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16
+   ulp elsewhere. For p < 0 R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of
+   R_J(x, y, z, |p|). R_J is infinite if p = 0 or if two of x, y, z are 0. It is 0 if an argument is infinite. It is NaN
+   if both hold, or if x, y or z is negative. It may be NaN, too, if one argument is more than 1e307 times (float 1e37)
+   another one that is not 0. DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
@@ -3703,9 +3728,10 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 }
 
 /* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. R_G is
-   infinite if an argument is infinite, and NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with
-   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. The function uses DLMF
-   19.21.10, whose terms are all positive if z is the middle one of the arguments. */
+   infinite if an argument is infinite, and NaN if an argument is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid
+   with the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. The function uses DLMF
+   19.21.10 with the arguments exchanged so that z is neither the smallest nor the largest: then all terms are
+   positive. */
 VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 {
     const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);
@@ -3727,18 +3753,20 @@ VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 /* jacobi/above_one.h - incomplete elliptic integrals for m > 1
 
    For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to this angle,
-   and at it, the integrals F, E, D and Pi have ordinary values; beyond it they are NaN. F gives the time in which a
-   pendulum reaches an angle: a pendulum that swings to and fro up to the angle A needs F(a/2 | m)/(k w0) seconds from
-   its lowest point to the angle a, where k is 1/sin(A/2) and w0 is the frequency of its small oscillations.
+   and at it, the integrals F, E, D and Pi have ordinary values; beyond this angle they are NaN. F gives the time in
+   which a pendulum reaches an angle. Let a pendulum swing to and fro up to the angle A, let w0 be the frequency of its
+   small oscillations in rad/s, and k = 1/sin(A/2). From its lowest point to the angle a it needs k F(a/2 | m)/w0
+   seconds.
 
        vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
 
    Method: the reciprocal transformation leads to the parameter 1/m and the angle whose sine is k sin phi. In Carlson's
-   integrals it exchanges the arguments cos^2 phi and 1 - m sin^2 phi. Near the angle
-   arcsin(1/k) the number 1 - m sin^2 phi is a difference of nearly equal numbers, which loses digits, and the integrals
-   change as its square root. Therefore the sine and the cosine of phi are computed in two words: each is the sum of two
-   floating-point numbers (a vm_two of base/words.h), which have twice the digits of one. All functions of this file are
-   internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests: tests/test_elliptic_integrals.c. */
+   integrals this transformation only exchanges the arguments cos^2 phi and 1 - m sin^2 phi. Near the angle arcsin(1/k)
+   the number 1 - m sin^2 phi is a difference of nearly equal numbers, which loses digits, and the integrals change as
+   the square root of this number. Therefore the sine and the cosine of phi are computed in two words: each is the sum
+   of two floating-point numbers (a vm_two of base/words.h), which together have twice the digits of one. All functions
+   of this file are internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests:
+   tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_ABOVE_ONE_H
 #define VARMASS_JACOBI_ABOVE_ONE_H
 
@@ -3798,7 +3826,7 @@ VM_API vm_real vmi_difference_of_squares(vm_two c, vm_two x)
     return vmi_two_times(vmi_two_minus(c, x), vmi_two_plus(c, x)).hi;
 }
 
-/* Prepares |phi| and m1 = 1 - m < 0, which is given in two words. */
+/* Returns the numbers of vmi_above for the angle |phi| and the number m1 = 1 - m < 0, which is given in two words. */
 VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -3815,11 +3843,11 @@ VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
     angle.cc = vmi_two_times(angle.c, angle.c).hi;
     angle.share = vmi_two_times(root, root);
     angle.d = vmi_difference_of_squares(angle.c, root);
-    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* |phi| is above pi/2 */
+    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* |phi| is above pi/2 or NaN, or m is infinite */
     return angle;
 }
 
-/* Returns F(phi | m) for m > 1, which is s R_F(d, cc, 1) with the fields s, d, cc of vmi_above. */
+/* Returns F(phi | m) for m > 1. With the fields s, cc, d of vmi_above, F is s R_F(cc, d, 1). */
 VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3827,9 +3855,9 @@ VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(angle.s.hi * vmi_rf(angle.cc, angle.d, 1), phi);
 }
 
-/* Returns E(phi | m) for m > 1. With s = sin phi, k = sqrt(m), M = 1/m and the angle B whose sine is k s, it equals
-   (E(B | M) - (1 - M) F(B | M)) k, but this difference would lose digits. The formula here is a sum of positive terms
-   (DLMF 19.25.10). */
+/* Returns E(phi | m) for m > 1. Let s be sin phi, k = sqrt(m), M = 1/m, and B the angle whose sine is k s. Then E is
+   k (E(B | M) - (1 - M) F(B | M)), but this difference would lose digits. The formula here is a sum of positive terms
+   (DLMF 19.25.11). */
 VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3840,7 +3868,7 @@ VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
         vmi_times_sum(angle.s, vmi_two(VM_SQRT(angle.d / angle.cc), 0), vmi_two_scaled(angle.share, third)), phi);
 }
 
-/* Returns D(phi | m) for m > 1, which is s^3 R_D(cc, d, 1)/3 with the fields s, cc, d of vmi_above. */
+/* Returns D(phi | m) for m > 1. With the fields s, cc, d of vmi_above, D is s^3 R_D(cc, d, 1)/3. */
 VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3851,9 +3879,9 @@ VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(vmi_two_scaled(cube, third).hi, phi);
 }
 
-/* Returns Pi(n; phi | m) for m > 1 and n < 0, where p is 1 - n s^2 and s is sin phi. The reciprocal transformation
-   leads to the parameter 1/m and the characteristic n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF
-   19.7.9), so that all terms are positive. Here q is 1 - N m s^2, and `gap` is p q - cos^2 phi. */
+/* Returns Pi(n; phi | m) for m > 1, n < 0 and phi >= 0. Let s be sin phi; p is 1 - n s^2. The reciprocal transformation
+   leads to the parameter 1/m and the characteristic n/m. Then the characteristic N = (1 - n)/(m - n) replaces n/m (DLMF
+   19.7.9), so that all terms are positive. In the function, q is 1 - N m s^2, and `gap` is p q - cos^2 phi. */
 VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1, vm_real p)
 {
     const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
@@ -3865,9 +3893,9 @@ VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real 
     return vmi_times_sum(angle->s, vmi_two(rf * per, 0), vmi_two_scaled(sum, ratio / (ratio - 1)));
 }
 
-/* Returns Pi(n; phi | m) for m > 1 and a finite n. With s = sin phi, p = 1 - n s^2 is computed in two words, since it
-   falls to 0 at a pole. For p < 0, where n > m, the formula of vmi_Pi_part for p < 0 is used: q is 1 - s^2 m/n, and R_C
-   has its principal value. */
+/* Returns Pi(n; phi | m) for m > 1 and a finite n. Let s be sin phi and p = 1 - n s^2. For n > 1, p falls to 0 at a
+   pole; therefore p is computed there from numbers in two words. For p < 0, which implies n > m, the formula of
+   vmi_Pi_part for p < 0 is used: q is 1 - s^2 m/n, and R_C is Cauchy's principal value. */
 VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -3892,31 +3920,34 @@ VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 #endif
 /* jacobi/incomplete.h - incomplete elliptic integrals F, E, D and Pi, and the complete D and Pi
 
-     F(phi | m)     = integral from 0 to phi of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
+     F(phi | m)     = integral of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
      E(phi | m)     = integral of sqrt(1 - m sin^2 x) dx
      D(phi | m)     = integral of sin^2 x dx/sqrt(1 - m sin^2 x), which is (F - E)/m
      Pi(n; phi | m) = integral of dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)), where n is the characteristic
-   All integrals are from 0 to phi. For m = k^2 <= 1 the angle phi is any number of radians; for m > 1 it lies between
-   -arcsin(1/k) and arcsin(1/k), where the roots are real (jacobi/above_one.h). F is the time in which a pendulum
-   reaches an angle, E the length of an arc of an ellipse, Pi the precession of a spherical pendulum or a top.
+   All integrals are from 0 to phi; with phi = pi/2 they are the complete integrals. For m = k^2 <= 1 the angle phi is
+   any number of radians. For m > 1 it lies between -arcsin(1/k) and arcsin(1/k), where the square roots are real
+   (jacobi/above_one.h). F is the time in which a pendulum reaches an angle, E the length of an arc of an ellipse, and
+   Pi the precession of a spherical pendulum or a top.
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
-   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi is used in three
-   words. Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose
-   terms are all positive, so that no digits are lost. Source: DLMF 19.2, 19.7, 19.25. Tests:
-   tests/test_elliptic_integrals.c. */
+   Method: a multiple of pi is subtracted from phi, so that a rest theta with |theta| <= pi/2 is left. For this
+   subtraction pi has three words, that is, it is a sum of three floating-point numbers. Each pi that was subtracted
+   adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals. The terms of the sum
+   are all positive, so that no digits are lost; the exception is Pi for n > 1 (see vmi_Pi_part). Source: DLMF 19.2,
+   19.7, 19.25. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
 
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* phi = turns pi/2 + theta: an integral from 0 to phi contains `turns` complete integrals */
+    vm_real turns; /* phi = turns pi/2 + theta, with an even number `turns`. An integral from 0 to phi is the integral
+                      from 0 to theta plus `turns` times the complete integral */
     vm_two s, c;   /* sin theta and cos theta, each within 0.4 ulp */
 } vmi_angle;
 
-/* Reduces the finite angle phi. Where phi is so large that its digits do not determine theta, turns is 2 phi/pi and
-   theta is 0. */
+/* Returns turns, sin theta and cos theta for the finite angle phi. If phi is so large that its digits do not determine
+   theta, theta is taken as 0, and turns is 2 phi/pi, which then need not be an even number. */
 VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -3958,8 +3989,8 @@ VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
 }
 
-/* Returns turns complete + part, an integral from 0 to phi, with one rounding where the terms are not huge.
-   `complete` is the integral from 0 to pi/2, `part` the integral from 0 to theta. */
+/* Returns turns * complete + part, an integral from 0 to phi. `complete` is the integral from 0 to pi/2, `part` the
+   integral from 0 to theta. Where the terms are not huge, the result is rounded only once. */
 VM_INLINE vm_real vmi_with_turns(vm_real turns, vm_real complete, vm_real part)
 {
     const int safe = VM_FABS(turns) < 1 / VM_EPSILON && VM_FABS(complete) < VM_MAX * VM_EPSILON;
@@ -3987,11 +4018,11 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
     return vmi_with_turns(angle.turns, vmi_K(m1, m1_lo), part);
 }
 
-/* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
-   and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
-   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 F is infinite for |phi| > pi/2. For
-   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call. DLMF
-   19.2.4, 19.25.5. */
+/* F(phi | m), the incomplete elliptic integral of the first kind. F is the inverse of the amplitude. F is odd in phi,
+   and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 F is
+   phi for infinite phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 F is infinite for |phi| > pi/2.
+   For m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call.
+   DLMF 19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4005,9 +4036,9 @@ VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); 
 /* Returns x^2 for a number in two words, with two roundings. */
 VM_INLINE vm_real vmi_squared(vm_two x) { return x.hi * x.hi + 2 * x.hi * x.lo; }
 
-/* Returns E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
-   arguments, so that each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are
-   positive (DLMF 19.25.9-10). */
+/* Returns E(theta | m) for |theta| <= pi/2 and m <= 1, from s = sin theta and c = cos theta. Both m and m1 = 1 - m are
+   arguments, so that each has all its digits. One formula serves for m < 0, another one for m >= 0. All terms of both
+   are positive (DLMF 19.25.9-10). */
 VM_API vm_real vmi_E_part(vm_two s, vm_two c, vm_real m, vm_real m1)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), dd = cc + m1 * ss;
@@ -4038,10 +4069,10 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return vmi_with_turns(angle.turns, vmi_E(m1, m1_lo), part);
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
-   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
-   with the sign of phi for m = -infinity. For m > 1 E is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite
-   m. docs/cost.md has the time of a call. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1
+   E(phi + pi) = E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for
+   infinite phi. For m = -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where
+   m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4053,11 +4084,11 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
    digits. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Returns the factor `lift`, a power of 2 that keeps Carlson's integrals from losing digits where a product of small
-   arguments would underflow or a sum of large ones would overflow. All arguments are multiplied by the square of the
-   factor. The weight of R_D and R_J is multiplied by this square, too. The integral is then multiplied by the factor,
-   which gives its value for the original arguments. The factor is 1 for ordinary arguments, and above 1 only where
-   m1 < 1. `least` is about the smallest of the arguments. */
+/* Returns `lift`, a power of 2 that keeps Carlson's integrals from losing digits where a product of small arguments
+   would underflow or a sum of large ones would overflow. The caller multiplies all arguments, and the weight of R_D or
+   R_J, by lift^2, and the integral by lift, which gives the value for the original arguments. lift is 1 for ordinary
+   arguments. It is above 1 only if m1 < 1, and below 1 only for a huge m1. `least` is about the smallest of the
+   arguments. */
 VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
     if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
@@ -4065,8 +4096,8 @@ VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
     return 1;
 }
 
-/* Returns D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. It is
-   s^3 R_D(c^2, 1 - m s^2, 1)/3. */
+/* Returns D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta, as s^3
+   R_D(c^2, 1 - m s^2, 1)/3. */
 VM_API vm_real vmi_D_part(vm_two s, vm_two c, vm_real m1)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
@@ -4076,7 +4107,7 @@ VM_API vm_real vmi_D_part(vm_two s, vm_two c, vm_real m1)
 }
 
 /* Returns D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With
-   d = 1 - m s^2 it is c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
+   d = 1 - m s^2 the difference is c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
 VM_API vm_real vmi_D_complement(vm_two s, vm_two c, vm_real m1)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
@@ -4103,8 +4134,9 @@ VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
    Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
-/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi the difference
-   2 D(m) - D(pi - phi | m) would triple the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
+/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi D(phi | m) is 2
+   D(m) - D(pi - phi | m), but this difference would triple the errors. Therefore the function adds the result of
+   vmi_D_complement to D(m) there. */
 VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -4128,10 +4160,10 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 
 /* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits are lost,
    not even for m = 0. D is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
-   |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
-   m = -infinity, and NaN where both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN where m
-   sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF 19.2.6,
-   19.25.13. */
+   |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. For m <= 1 D is phi for infinite
+   phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN
+   where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF
+   19.2.6, 19.25.13. */
 VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4150,12 +4182,13 @@ VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
 }
 
 /* Returns Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let
-   p = 1 - n s^2 and d = 1 - m s^2. There are three formulas. Each is a sum of positive terms, except for one term of
-   the third formula with m > 0.
-     n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
-            1 - N s^2 = c^2 + s^2 m1/(1 - n). R_C depends on `gap`, the difference p q - d, which is -n N s^2 c^2;
-     0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
-     p < 0: m/n replaces n (DLMF 19.7.8), q = 1 - s^2 m/n, and R_C has its principal value. */
+   p = 1 - n s^2 and d = 1 - m s^2. There are three formulas:
+     n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9). q is
+            1 - N s^2 = c^2 + s^2 m1/(1 - n). R_C depends on `gap`, the difference p q - d, which is -n N s^2 c^2.
+     n >= 0 and p > 0: the result is s R_F + n s^3 R_J/3 (DLMF 19.25.14).
+     p < 0: the characteristic m/n replaces n (DLMF 19.7.8). q is 1 - s^2 m/n, and R_C is Cauchy's principal value.
+   Each formula is a sum of positive terms, except that the third one has a negative term if m > 0. For p = 0 the result
+   is infinite, with the sign of s. */
 VM_API vm_real vmi_Pi_part(vm_two s, vm_two c, vm_real n, vm_real m, vm_real m1)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss, top = vmi_larger(d, 1);
@@ -4182,8 +4215,8 @@ VM_API vm_real vmi_Pi_part(vm_two s, vm_two c, vm_real n, vm_real m, vm_real m1)
 
 /* Returns Pi(n | m) for n < 0 and m1 = 1 - m > 0. The factor `lift`, a power of 2 from vmi_lift_of, keeps numbers from
    underflowing. For a very large -n, however, (1 - m)/(1 - n) may underflow even after it is multiplied by lift^2.
-   There the result is (pi/2)/sqrt(1 - n) + K/(1 - n), where K is K(m); the next term of this series, -E(m)/(1 - n), is
-   far below an ulp. */
+   There the result is the sum (pi/2)/sqrt(1 - n) + K(m)/(1 - n), which begins a series; the next term, -E(m)/(1 - n),
+   is far below an ulp. */
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
@@ -4195,7 +4228,8 @@ VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
     return lift * vmi_two_plus(vmi_two(rf / (1 - n), 0), vmi_two_scaled(third, n / (n - 1))).hi;
 }
 
-/* Returns Pi(n | m), from both m and m1 = 1 - m. The three cases of n are those of vmi_Pi_part for theta = pi/2. */
+/* Returns Pi(n | m), from both m and m1 = 1 - m. The formulas for n < 0, 0 <= n < 1 and n > 1 are those of vmi_Pi_part
+   for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
@@ -4219,21 +4253,23 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite for n = 1. For m = 1 it is infinite,
-   too, with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN for m > 1. DLMF
-   19.2.8, 19.6.5. */
+   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite for n = 1 and a finite m. For m = 1
+   Pi is infinite for every finite n, with the sign of 1 - n. Pi is 0 for infinite n and a finite m < 1, and for
+   m = -infinity and a finite n < 1. Pi is NaN for m > 1, for infinite n with m = 1 or m = -infinity, and for
+   m = -infinity with n >= 1. DLMF 19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 
 /* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
    Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let
-   psi be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from
-   0 to psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). It is the sum of a term with R_F and a
-   term with R_J. For n > 0 the term with R_J is negative, so that the sum has larger errors than its terms. The other
-   way to Pi(n; pi - theta | m), 2 Pi(n | m) - Pi(n; theta | m), has smaller errors if the term with R_F is larger
-   than Pi(n | m), which is the argument `complete`. *exact becomes 0 then, else 1. */
+/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi
+   be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to
+   psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). The function computes this integral as the
+   sum of a term with R_F and a term with R_J. For n > 0 the term with R_J is negative, so that the sum has larger
+   errors than its terms. `complete` is Pi(n | m). If the term with R_F is larger than `complete`, *exact becomes 0;
+   then the difference 2 Pi(n | m) - Pi(n; theta | m) is a more exact way to Pi(n; pi - theta | m). Otherwise *exact
+   becomes 1. */
 VM_API vm_real vmi_Pi_complement(vm_two s, vm_two c, vm_real n, vm_real m1, vm_real complete, int *exact)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
@@ -4247,9 +4283,9 @@ VM_API vm_real vmi_Pi_complement(vm_two s, vm_two c, vm_real n, vm_real m1, vm_r
     return lift * (vmi_times_sum(c, vmi_two(rf, 0), third) / (1 - n));
 }
 
-/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, the difference
-   2 Pi(n | m) - Pi(n; pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n
-   | m) there. */
+/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi Pi(n; phi | m) is 2
+   Pi(n | m) - Pi(n; pi - phi | m), but this difference usually triples the errors. Therefore, for n < 1, the function
+   adds the result of vmi_Pi_complement to Pi(n | m) there, if vmi_Pi_complement reports that this sum is more exact. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -4278,9 +4314,11 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
    phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
-   n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
-   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for
-   infinite m or n. docs/cost.md has the time of a call. DLMF 19.2.7. */
+   n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. For a finite phi, Pi is 0
+   for infinite n and a finite m < 1, and for m = -infinity and a finite n < 1. Pi is NaN for those infinite n or m for
+   which jacobi_Pi(n, m) is NaN. For infinite phi and m <= 1, Pi is infinite with the sign of phi Pi(n | m), and NaN if
+   Pi(n | m) is 0 or NaN. For m > 1 Pi is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m or n.
+   docs/cost.md has the time of a call. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4308,8 +4346,8 @@ VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 #ifndef VARMASS_JACOBI_INVERSE_H
 #define VARMASS_JACOBI_INVERSE_H
 
-/* Returns the inverse of sn for 1 - m = m1. 1 - x^2 is computed as the product (1 - x)(1 + x), so that it keeps its
-   digits. */
+/* Returns the inverse of sn for 1 - m = m1. The difference 1 - x^2 is computed as the product (1 - x)(1 + x), so that
+   no digits are lost. */
 VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
 {
     const vm_real cc = (1 - x) * (1 + x);
@@ -4319,9 +4357,9 @@ VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
     return x * vmi_rf(cc, cc + m1 * (x * x), 1);
 }
 
-/* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. It is odd in x. The error is at most
-   8 ulp. For m = 1 it is the inverse of tanh, infinite for |x| = 1. Returns 0 for m = -infinity, and NaN for |x| > 1
-   and for m > 1. DLMF 22.15.12. */
+/* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. The result is odd in x. The error is
+   at most 8 ulp. For m = 1 the function is the inverse of tanh, infinite for |x| = 1. Returns 0 for m = -infinity, and
+   NaN for |x| > 1 and for m > 1. DLMF 22.15.12. */
 VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
 
 /* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
@@ -4329,8 +4367,8 @@ VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x
    digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
 
-/* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x < 0 it is 2 K minus the inverse at
-   |x|, which is at most K. */
+/* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x >= 0 the inverse is at most K. For
+   x < 0 it is 2 K minus the inverse at |x|. */
 VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
 {
     const vm_real ss = (1 - x) * (1 + x), cc = x * x;
@@ -4345,8 +4383,8 @@ VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
 }
 
 /* The inverse of cn: u with cn(u | m) = x and 0 <= u <= 2K, for |x| <= 1 and m <= 1. The error is at most 8 ulp. For
-   m = 1 it is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and NaN for |x|
-   > 1 and for m > 1. DLMF 22.15.13. */
+   m = 1 the function is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and
+   NaN for |x| > 1 and for m > 1. DLMF 22.15.13. */
 VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4358,9 +4396,9 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
    digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
-/* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, m s^2 is 1 - x^2
-   and m c^2 is x^2 - m1. x^2 - m1 is computed from the exact square of x. It may be negative if x is the rounded value
-   of k'; then c is taken as 0, and s as 1. */
+/* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, s^2 is
+   (1 - x^2)/m, and c^2 is (x^2 - m1)/m. The difference x^2 - m1 is computed from the exact square of x. If x is the
+   rounded value of k', the computed c^2 may be negative, and s^2 above 1; then c is taken as 0, and s as 1. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);
@@ -4375,8 +4413,9 @@ VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 }
 
 /* The inverse of dn: u with dn(u | m) = x and 0 <= u <= K, for x between 1 and sqrt(1 - m), m <= 1. The error is at
-   most 8 ulp. For m = 1 it is the inverse of 1/cosh, infinite for x = 0. Returns NaN for m > 1 and for an x outside
-   these limits. For m = 0 dn is 1 everywhere; then u is 0 for x = 1. DLMF 22.15.14. */
+   most 8 ulp. For m = 1 the function is the inverse of 1/cosh, infinite for x = 0. Returns NaN for m > 1, for infinite
+   m, and for an x that is not between 1 and sqrt(1 - m). For m = 0 dn is 1 everywhere; then u is 0 for x = 1. DLMF
+   22.15.14. */
 VM_API vm_real jacobi_inverse_dn(vm_real x, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4412,8 +4451,8 @@ VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
    m > 1 they are
      sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
    For m > 1 the error is at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
-   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. k u is computed in two words. A Taylor series adds the effect of the
-   second word, h. */
+   u| <= 100 K(1/m)/k. Returns NaN for infinite m. For m > 1 the product k u is computed in two words. Its second word,
+   the variable h, changes sn, cn and dn a little; two terms of their Taylor series in h add this change. */
 VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vm_two k, phase, m1;

@@ -1,18 +1,20 @@
 /* jacobi/above_one.h - incomplete elliptic integrals for m > 1
 
    For m > 1 the root sqrt(1 - m sin^2 x) is real only up to the angle arcsin(1/k), where k = sqrt(m). Up to this angle,
-   and at it, the integrals F, E, D and Pi have ordinary values; beyond it they are NaN. F gives the time in which a
-   pendulum reaches an angle: a pendulum that swings to and fro up to the angle A needs F(a/2 | m)/(k w0) seconds from
-   its lowest point to the angle a, where k is 1/sin(A/2) and w0 is the frequency of its small oscillations.
+   and at it, the integrals F, E, D and Pi have ordinary values; beyond this angle they are NaN. F gives the time in
+   which a pendulum reaches an angle. Let a pendulum swing to and fro up to the angle A, let w0 be the frequency of its
+   small oscillations in rad/s, and k = 1/sin(A/2). From its lowest point to the angle a it needs k F(a/2 | m)/w0
+   seconds.
 
        vm_real u = jacobi_F(VM_C(0.4), VM_C(2.5)); // sn(u | 2.5) = sin 0.4
 
    Method: the reciprocal transformation leads to the parameter 1/m and the angle whose sine is k sin phi. In Carlson's
-   integrals it exchanges the arguments cos^2 phi and 1 - m sin^2 phi. Near the angle
-   arcsin(1/k) the number 1 - m sin^2 phi is a difference of nearly equal numbers, which loses digits, and the integrals
-   change as its square root. Therefore the sine and the cosine of phi are computed in two words: each is the sum of two
-   floating-point numbers (a vm_two of base/words.h), which have twice the digits of one. All functions of this file are
-   internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests: tests/test_elliptic_integrals.c. */
+   integrals this transformation only exchanges the arguments cos^2 phi and 1 - m sin^2 phi. Near the angle arcsin(1/k)
+   the number 1 - m sin^2 phi is a difference of nearly equal numbers, which loses digits, and the integrals change as
+   the square root of this number. Therefore the sine and the cosine of phi are computed in two words: each is the sum
+   of two floating-point numbers (a vm_two of base/words.h), which together have twice the digits of one. All functions
+   of this file are internal; jacobi/incomplete.h calls them. Source: DLMF 19.7.4, 19.25. Tests:
+   tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_ABOVE_ONE_H
 #define VARMASS_JACOBI_ABOVE_ONE_H
 
@@ -77,7 +79,7 @@ VM_API vm_real vmi_difference_of_squares(vm_two c, vm_two x)
     return vmi_two_times(vmi_two_minus(c, x), vmi_two_plus(c, x)).hi;
 }
 
-/* Prepares |phi| and m1 = 1 - m < 0, which is given in two words. */
+/* Returns the numbers of vmi_above for the angle |phi| and the number m1 = 1 - m < 0, which is given in two words. */
 VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -94,11 +96,11 @@ VM_API vmi_above vmi_above_of(vm_real phi, vm_two m1)
     angle.cc = vmi_two_times(angle.c, angle.c).hi;
     angle.share = vmi_two_times(root, root);
     angle.d = vmi_difference_of_squares(angle.c, root);
-    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* |phi| is above pi/2 */
+    if (!(z.hi >= 0) || !VM_IS_FINITE(m1.hi)) angle.d = VM_NAN; /* |phi| is above pi/2 or NaN, or m is infinite */
     return angle;
 }
 
-/* Returns F(phi | m) for m > 1, which is s R_F(d, cc, 1) with the fields s, d, cc of vmi_above. */
+/* Returns F(phi | m) for m > 1. With the fields s, cc, d of vmi_above, F is s R_F(cc, d, 1). */
 VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -106,9 +108,9 @@ VM_API vm_real vmi_F_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(angle.s.hi * vmi_rf(angle.cc, angle.d, 1), phi);
 }
 
-/* Returns E(phi | m) for m > 1. With s = sin phi, k = sqrt(m), M = 1/m and the angle B whose sine is k s, it equals
-   (E(B | M) - (1 - M) F(B | M)) k, but this difference would lose digits. The formula here is a sum of positive terms
-   (DLMF 19.25.10). */
+/* Returns E(phi | m) for m > 1. Let s be sin phi, k = sqrt(m), M = 1/m, and B the angle whose sine is k s. Then E is
+   k (E(B | M) - (1 - M) F(B | M)), but this difference would lose digits. The formula here is a sum of positive terms
+   (DLMF 19.25.11). */
 VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -119,7 +121,7 @@ VM_API vm_real vmi_E_above(vm_real phi, vm_two m1)
         vmi_times_sum(angle.s, vmi_two(VM_SQRT(angle.d / angle.cc), 0), vmi_two_scaled(angle.share, third)), phi);
 }
 
-/* Returns D(phi | m) for m > 1, which is s^3 R_D(cc, d, 1)/3 with the fields s, cc, d of vmi_above. */
+/* Returns D(phi | m) for m > 1. With the fields s, cc, d of vmi_above, D is s^3 R_D(cc, d, 1)/3. */
 VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);
@@ -130,9 +132,9 @@ VM_API vm_real vmi_D_above(vm_real phi, vm_two m1)
     return VM_COPYSIGN(vmi_two_scaled(cube, third).hi, phi);
 }
 
-/* Returns Pi(n; phi | m) for m > 1 and n < 0, where p is 1 - n s^2 and s is sin phi. The reciprocal transformation
-   leads to the parameter 1/m and the characteristic n/m. The characteristic N = (1 - n)/(m - n) replaces n/m (DLMF
-   19.7.9), so that all terms are positive. Here q is 1 - N m s^2, and `gap` is p q - cos^2 phi. */
+/* Returns Pi(n; phi | m) for m > 1, n < 0 and phi >= 0. Let s be sin phi; p is 1 - n s^2. The reciprocal transformation
+   leads to the parameter 1/m and the characteristic n/m. Then the characteristic N = (1 - n)/(m - n) replaces n/m (DLMF
+   19.7.9), so that all terms are positive. In the function, q is 1 - N m s^2, and `gap` is p q - cos^2 phi. */
 VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real m, vm_real m1, vm_real p)
 {
     const vm_real s = angle->s.hi, ratio = n / m, per = 1 / (1 - ratio);
@@ -144,9 +146,9 @@ VM_API vm_real vmi_Pi_above_negative(const vmi_above *angle, vm_real n, vm_real 
     return vmi_times_sum(angle->s, vmi_two(rf * per, 0), vmi_two_scaled(sum, ratio / (ratio - 1)));
 }
 
-/* Returns Pi(n; phi | m) for m > 1 and a finite n. With s = sin phi, p = 1 - n s^2 is computed in two words, since it
-   falls to 0 at a pole. For p < 0, where n > m, the formula of vmi_Pi_part for p < 0 is used: q is 1 - s^2 m/n, and R_C
-   has its principal value. */
+/* Returns Pi(n; phi | m) for m > 1 and a finite n. Let s be sin phi and p = 1 - n s^2. For n > 1, p falls to 0 at a
+   pole; therefore p is computed there from numbers in two words. For p < 0, which implies n > m, the formula of
+   vmi_Pi_part for p < 0 is used: q is 1 - s^2 m/n, and R_C is Cauchy's principal value. */
 VM_API vm_real vmi_Pi_above(vm_real phi, vm_real n, vm_real m, vm_two m1)
 {
     const vmi_above angle = vmi_above_of(phi, m1);

@@ -1,16 +1,21 @@
 /* jacobi/carlson.h - Carlson's symmetric elliptic integrals R_F, R_C, R_D, R_J and R_G
 
-   Every elliptic integral is a sum of a few of these five. They are computed without loss of digits and without special
-   cases:
+   Every elliptic integral is a sum of a few of these five:
      R_F(x, y, z)    = 1/2 integral from 0 to infinity of dt/s(t),  s(t) = sqrt((t + x)(t + y)(t + z)),
      R_J(x, y, z, p) = 3/2 integral from 0 to infinity of dt/((t + p) s(t)),
-   R_C(x, y) = R_F(x, y, y), R_D(x, y, z) = R_J(x, y, z, z), and R_G, which gives the surface of an ellipsoid.
+     R_C(x, y)       = R_F(x, y, y),
+     R_D(x, y, z)    = R_J(x, y, z, z),
+   and R_G, which gives the surface of an ellipsoid. No digits are lost. One method computes R_F, R_D and R_J for all
+   arguments, without special formulas for some of them (such as m near 1).
 
        vm_real K = jacobi_RF(0, VM_C(0.75), 1); // K(m) = R_F(0, 1 - m, 1)
 
-   Method: Carlson's duplication brings the arguments closer together, until a power series about their mean is exact
-   enough. The equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms of the series, so that
-   usually two or three duplications are enough. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
+   Method: Carlson's duplication replaces each of the arguments x, y, z by a quarter of its sum with
+   lambda = sqrt(x y) + sqrt(y z) + sqrt(z x). R_F keeps its value, and the new arguments are closer together. From R_D
+   and R_J each duplication splits off a known term. Duplications are made until a power series about the mean of the
+   arguments is exact enough. The equations are those of Carlson, Numer. Algorithms 10 (1995) 13-26, with more terms of
+   the series, so that usually two or three duplications are enough. R_C is an arctangent or a logarithm, and R_G is a
+   sum of terms with R_F and R_D. Source: DLMF 19.15 to 19.36. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_CARLSON_H
 #define VARMASS_JACOBI_CARLSON_H
 
@@ -25,7 +30,7 @@
 typedef struct VM_TAG(vmi_carlson) {
     vm_real x, y, z; /* the arguments */
     vm_real mean;    /* their mean (x + y + z)/3 */
-    vm_real rest;    /* rounding error of the first mean; each duplication divides it by 4. mean + rest is more exact */
+    vm_real rest;    /* rounding error of the first mean, divided by 4 in each duplication: mean + rest is more exact */
     vm_real X, Y;    /* mean - x and mean - y; mean - z is -(X + Y) */
     vm_real a, b, c; /* the square roots of x, y, z in the last duplication */
     vm_real lambda;  /* a b + b c + c a in the last duplication */
@@ -51,14 +56,14 @@ VM_INLINE vmi_carlson vmi_carlson_begin(vm_real x, vm_real y, vm_real z)
     return s;
 }
 
-/* Returns the largest distance of an argument x, y, z from their mean. */
+/* Returns the largest of the distances of x, y and z from their mean. */
 VM_INLINE vm_real vmi_carlson_spread(const vmi_carlson *s)
 {
     return vmi_larger(vmi_larger(VM_FABS(s->X), VM_FABS(s->Y)), VM_FABS(s->X + s->Y));
 }
 
-/* Makes one duplication (DLMF 19.26.18): x becomes (x + lambda)/4, and y and z change in the same way. No digits are
-   lost. */
+/* Makes one duplication (DLMF 19.26.18): replaces x by (x + lambda)/4, and y and z in the same way. No digits are lost,
+   since no term is negative. */
 VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
 {
     s->a = VM_SQRT(s->x);
@@ -74,9 +79,8 @@ VM_INLINE void vmi_carlson_duplicate(vmi_carlson *s)
     s->Y *= VM_C(0.25);
 }
 
-/* Computes two symmetric functions of X, Y, Z, the distances of the arguments from the mean, divided by the mean;
-   X + Y + Z is 0:
-   E2 = XY + YZ + ZX, E3 = XYZ */
+/* Computes E2 = XY + YZ + ZX and E3 = XYZ. Here X, Y and Z are the differences mean - x, mean - y and mean - z, divided
+   by the mean, so that X + Y + Z is 0. */
 VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real *E3)
 {
     const vm_real per_mean = 1 / s->mean, X = s->X * per_mean, Y = s->Y * per_mean, Z = -(X + Y);
@@ -84,9 +88,9 @@ VM_INLINE void vmi_carlson_symmetric(const vmi_carlson *s, vm_real *E2, vm_real 
     *E3 = X * Y * Z;
 }
 
-/* Returns R_F from arguments that are close together: the sum over N of t_N/(2N + 1), divided by the root of the mean.
-   t_N is the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2, E3 of
-   vmi_carlson_symmetric (DLMF 19.19.7). */
+/* Returns R_F from arguments that are close together. R_F is the sum over N >= 0 of t_N/(2N + 1), divided by the square
+   root of the mean. Here t_N is the coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2), with E2 and
+   E3 of vmi_carlson_symmetric (DLMF 19.19.7). */
 VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
 {
     vm_real E2, E3, low, high = 0;
@@ -109,9 +113,10 @@ VM_INLINE vm_real vmi_carlson_first(const vmi_carlson *s)
     return (1 + (low + high)) / VM_SQRT(s->mean);
 }
 
-/* Returns power R_J/3 from arguments x, y, z and p that are close together, where P is 1 - p/mean. R_J/3 is the sum
-   over N of T_N/(2N + 3), divided by mean^(3/2). T_N is the coefficient of s^N in (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P
-   s). `power` is divided by the mean first, because mean^(3/2) underflows where p was much larger than x, y and z. */
+/* Returns the product of `power` and R_J/3 from arguments x, y, z and p that are close together. The mean is that of x,
+   y and z, and P is 1 - p/mean. R_J/3 is the sum over N >= 0 of T_N/(2N + 3), divided by mean^(3/2). Here T_N is the
+   coefficient of s^N in the power series of (1 + E2 s^2 - E3 s^3)^(-1/2)/(1 - P s). `power` is divided by the mean
+   first, because mean^(3/2) alone underflows if p was much larger than x, y and z before the duplications. */
 VM_INLINE vm_real vmi_carlson_third(const vmi_carlson *s, vm_real P, vm_real power)
 {
     vm_real E2, E3, t, T, sum;
@@ -168,9 +173,9 @@ VM_INLINE void vmi_carlson_add(vm_two *sum, vm_real term)
     sum->lo += more.lo;
 }
 
-/* Returns R_F(x, y, z), and R_D(x, y, z)/3 in *third, for z > 0 and arguments of which at most one is 0. One sequence
-   of duplications serves both. Each duplication adds a positive term to R_D/3, which is 1/(c (z + lambda)) times a
-   power of 4 (DLMF 19.26.20); z + lambda is (c + a)(c + b). */
+/* Returns R_F(x, y, z), and R_D(x, y, z)/3 in *third, for x, y >= 0, of which at most one is 0, and z > 0. The same
+   duplications serve both integrals. Each duplication adds a positive term to R_D/3, which is 1/(c (z + lambda)) times
+   a power of 1/4 (DLMF 19.26.20); z + lambda is computed as (c + a)(c + b), with the fields a, b, c of vmi_carlson. */
 VM_INLINE vm_real vmi_rf_rd(vm_real x, vm_real y, vm_real z, vm_real *third)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -202,9 +207,10 @@ VM_INLINE vm_real vmi_rc_series(vm_real e)
 #endif
 }
 
-/* Returns R_C(1, y) for y > 0 from both y and e = y - 1. With r = sqrt(|e|) it is arctan(r)/r for y > 1 and
-   artanh(r)/r, which is (ln(1 + r) - ln(y)/2)/r, for y < 1. Next to y = 1 it is computed by vmi_rc_series after one
-   duplication, which divides e by (1 + sqrt(y))^2. */
+/* Returns R_C(1, y) for y > 0 from both y and e = y - 1. Let r be sqrt(|e|). For y > 1 R_C(1, y) is arctan(r)/r. For
+   y < 1 it is artanh(r)/r, which is computed as (ln(1 + r) - ln(y)/2)/r. For |e| < 0.18 these formulas would lose
+   digits. There one duplication, which divides e by (1 + sqrt(y))^2, makes e small enough for the series of
+   vmi_rc_series. */
 VM_API vm_real vmi_rc_of_1(vm_real y, vm_real e)
 {
     vm_real root;
@@ -237,8 +243,9 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
     return factor * vmi_rc_apart(x, y, y - x);
 }
 
-/* Where the arguments of R_J differ much, the largest of them is brought to about this number, 2^500 (float 2^42), and
-   not to 1. The power 3/2 of the smallest argument then does not underflow. */
+/* A large power of 4, 2^500 (float 2^42), and its square root. jacobi_RJ for p > 0, and vmi_rf_rj_weighted where it
+   scales the arguments, bring the largest argument to about this power instead of 1. The power 3/2 of the smallest
+   argument then does not underflow, even if the arguments differ much in size. */
 #if VM_MANT_DIG > 24
 #define VMI_RJ_LIFT VM_C(3.273390607896142e+150)
 #define VMI_ROOT_OF_RJ_LIFT VM_C(1.8092513943330656e+75)
@@ -248,11 +255,12 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
 #endif
 
 /* Returns R_F(x, y, z), and R_J(x, y, z, p)/3 in *third, for p > 0 and arguments x, y, z >= 0 of which at most one is
-   0. The largest argument should be between 1 and VMI_RJ_LIFT, because d below, which grows as the power 3/2 of the
-   arguments, must neither overflow nor underflow. Each duplication adds 2/d R_C(1, 1 + e), times a power of 4, to
-   R_J/3 (DLMF 19.26.21 and Carlson 1995). Here d = (r + a)(r + b)(r + c) and r = sqrt(p). d is computed as r p + p (a
-   + b + c) + r lambda + a b c, which has fewer rounding errors. Both 1 + e = 2 r (p + lambda)/d and e = (r - a)(r -
-   b)(r - c)/d are computed, so that neither loses digits. */
+   0. Each duplication adds 2/d R_C(1, 1 + e), times a power of 1/4, to R_J/3 (DLMF 19.26.21 and Carlson 1995). Here
+   d = (r + a)(r + b)(r + c) and r = sqrt(p), with the fields a, b, c of vmi_carlson. d grows as the power 3/2 of the
+   arguments, and must neither overflow nor underflow: the callers choose arguments of which the largest is between eps
+   and about 2^600 (float 2^80). d is computed as r p + p (a + b + c) + r lambda + a b c, which has fewer rounding
+   errors than the product. Both 1 + e = 2 r (p + lambda)/d and e = (r - a)(r - b)(r - c)/d are computed, so that
+   neither loses digits. */
 VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *third)
 {
     vmi_carlson s = vmi_carlson_begin(x, y, z);
@@ -276,14 +284,16 @@ VM_API vm_real vmi_rf_rj(vm_real x, vm_real y, vm_real z, vm_real p, vm_real *th
     return vmi_carlson_first(&s);
 }
 
-/* The arguments of an integral are multiplied by `factor`, a power of 4, so that the largest is about 1 and no power of
-   them overflows or underflows. R_F and R_C are then multiplied by `root`, the root of the factor. */
+/* The scale of the arguments of an integral. The arguments are multiplied by `factor`, a power of 4 that brings the
+   largest of them to a number between 1 and 8, so that no power of this argument overflows or underflows. R_F and R_C
+   of the new arguments are then multiplied by `root`, the square root of the factor, which gives their original
+   values. */
 typedef struct VM_TAG(vmi_carlson_scale) {
     vm_real factor, root;
 } vmi_carlson_scale;
 
-/* Returns the scale for the largest of the arguments, a finite number > 0. A subnormal number is not brought to 1,
-   since the factor would overflow; the product is at least eps. */
+/* Returns the scale for arguments of which the largest is `largest`, a finite number > 0. A subnormal number is not
+   brought to 1, since the factor would overflow; the product of such a number and the factor is at least eps. */
 VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
 {
     const int exponent = (int)(vmi_to_bits(largest) >> VMI_STORED_DIG) - VMI_BIAS;
@@ -294,9 +304,10 @@ VM_API vmi_carlson_scale vmi_carlson_scale_of(vm_real largest)
     return scale;
 }
 
-/* Returns R_F(x, y, z), and the product of `weight` and R_D(x, y, z)/3 in *third, for arguments of any size, of which
-   the largest is `top`. R_D itself may overflow or underflow if this product does not. The product has two words, so
-   that it is not rounded before it is used. */
+/* Returns R_F(x, y, z), and the product of `weight` and R_D(x, y, z)/3 in *third, for arguments of any size. `top` is
+   the largest argument; where it is not between eps and 1/eps, the arguments are scaled first. (A caller that has
+   scaled them already passes top = 1.) With scaling, the product is right even if R_D itself would overflow or
+   underflow. Without scaling, the product has two words, so that it is not rounded before it is used. */
 VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, vm_two weight, vm_two *third)
 {
     vmi_carlson_scale by;
@@ -313,9 +324,10 @@ VM_API vm_real vmi_rf_rd_weighted(vm_real x, vm_real y, vm_real z, vm_real top, 
     return by.root * rf;
 }
 
-/* Returns R_F(x, y, z), and the product of `weight` and R_J(x, y, z, p)/3 in *third, for arguments of any size, of
-   which the largest is `top`. R_J itself may overflow or underflow if this product does not. The product has two words,
-   so that it is not rounded before it is used. */
+/* Returns R_F(x, y, z), and the product of `weight` and R_J(x, y, z, p)/3 in *third, for arguments of any size. `top`
+   is the largest of x, y and z; where it is not between eps and 1/eps, the arguments are scaled first. (A caller that
+   has scaled them already passes top = 1.) With scaling, the product is right even if R_J itself would overflow or
+   underflow. Without scaling, the product has two words, so that it is not rounded before it is used. */
 VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm_real top, vm_real weight,
                                   vm_two *third)
 {
@@ -332,7 +344,8 @@ VM_API vm_real vmi_rf_rj_weighted(vm_real x, vm_real y, vm_real z, vm_real p, vm
     return by.root * rf;
 }
 
-/* Returns s (first + second) for numbers in two words, with two roundings. */
+/* Returns the product s (first + second), rounded to one word. The three arguments have two words each. Only two
+   roundings change the result noticeably. */
 VM_INLINE vm_real vmi_times_sum(vm_two s, vm_two first, vm_two second)
 {
     vm_two sum = vmi_two_sum(first.hi, second.hi);
@@ -340,7 +353,8 @@ VM_INLINE vm_real vmi_times_sum(vm_two s, vm_two first, vm_two second)
     return s.hi * sum.hi + (s.hi * sum.lo + s.lo * sum.hi);
 }
 
-/* Returns 1 if x > 0 is so much smaller than the largest argument that the scale makes it subnormal or 0, else 0. */
+/* Returns 1 if the scale `by` makes x > 0 subnormal or 0, else 0. It does so if x is much smaller than the largest
+   argument, from which the scale was computed. */
 VM_API int vmi_carlson_is_lost(vmi_carlson_scale by, vm_real x) { return x > 0 && by.factor * x < VM_MIN; }
 
 /* Returns 1 if x, y, z >= 0, else 0. */
@@ -352,9 +366,9 @@ VM_API int vmi_two_zeros(vm_real x, vm_real y, vm_real z)
     return x + y == 0 || y + z == 0 || z + x == 0;
 }
 
-/* Returns the limit of R_F, R_D or R_J at arguments that are 0 or infinite. `zeros` is 1 if so many arguments are 0
-   that the integral diverges: then the limit is infinity. `infinite` is 1 if an argument is infinite: then the limit is
-   0. If both are 1, there is no limit, and the result is NaN. */
+/* Returns the limit of R_F, R_C, R_D or R_J at arguments that are 0 or infinite. `zeros` is 1 if so many arguments are
+   0 that the integral diverges: then the limit is infinity. `infinite` is 1 if an argument is infinite: then the limit
+   is 0. If both are 1, there is no limit, and the result is NaN. */
 VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
 {
     if (zeros && infinite) return VM_NAN;
@@ -362,9 +376,10 @@ VM_API vm_real vmi_carlson_limit(int zeros, int infinite)
     return 0;
 }
 
-/* Returns R_F where the largest argument is so great that sums would overflow. The function makes one duplication and
-   divides the new arguments by 16. Each term is divided before it is added, so that no sum overflows. After the
-   duplication no argument is small. */
+/* Returns R_F where the largest argument is so great that sums of arguments would overflow. The function makes one
+   duplication, divides the new arguments by 16, and takes R_F of the quotients, which is 4 times the result. Each term
+   is divided before it is added, so that no sum overflows. After the duplication no argument is so small that products
+   of arguments lose digits. */
 VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
 {
     const vm_real a = VM_SQRT(x) / 2, b = VM_SQRT(y) / 2, c = VM_SQRT(z) / 2;
@@ -372,9 +387,10 @@ VM_API vm_real vmi_rf_huge(vm_real x, vm_real y, vm_real z)
     return VM_C(0.25) * vmi_rf(x / 64 + lambda, y / 64 + lambda, z / 64 + lambda);
 }
 
-/* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. It is symmetric in all three. The error is at
-   most 8 ulp. R_F is infinite if two arguments are 0. It is 0 if an argument is infinite, and NaN if one is negative.
-   K(m) is R_F(0, 1 - m, 1), and F(phi | m) is s R_F(1 - s^2, 1 - m s^2, 1) with s = sin phi. DLMF 19.16.1. */
+/* R_F(x, y, z), Carlson's integral of the first kind, for x, y, z >= 0. R_F does not change if arguments are exchanged.
+   The error is at most 8 ulp. R_F is infinite if two arguments are 0, and 0 if an argument is infinite. It is NaN if
+   both hold, or if an argument is negative. K(m) is R_F(0, 1 - m, 1). With s = sin phi, F(phi | m) is s
+   R_F(1 - s^2, 1 - m s^2, 1) for |phi| <= pi/2. DLMF 19.16.1. */
 VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -388,9 +404,9 @@ VM_API vm_real jacobi_RF(vm_real x, vm_real y, vm_real z)
     return by.root * vmi_rf(by.factor * x, by.factor * y, by.factor * z);
 }
 
-/* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. It is an arctangent for x < y and a
-   logarithm for x > y. The error is at most 8 ulp. For y < 0 R_C is Cauchy's principal value. It is infinite for y =
-   0. It is 0 if an argument is infinite, and NaN if x is negative. DLMF 19.2.17. */
+/* R_C(x, y) = R_F(x, y, y), Carlson's elementary integral, for x >= 0 and any y. R_C is an arctangent for x < y and a
+   logarithm for x > y. The error is at most 8 ulp. For y < 0 R_C is Cauchy's principal value. R_C is infinite if y is
+   0, and 0 if an argument is infinite. It is NaN if both hold, or if x is negative. DLMF 19.2.17. */
 VM_API vm_real jacobi_RC(vm_real x, vm_real y)
 {
     const vm_real largest = vmi_larger(x, VM_FABS(y));
@@ -402,9 +418,10 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* R_C does not depend on the sign of a y this small */
 }
 
-/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. It is symmetric in x and
-   y. The error is at most 8 ulp. R_D is infinite if z = 0 or x = y = 0. It is 0 if an argument is infinite, and NaN
-   if one is negative or more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.5. */
+/* R_D(x, y, z) = R_J(x, y, z, z), Carlson's integral of the second kind, for x, y, z >= 0. R_D does not change if x and
+   y are exchanged. The error is at most 8 ulp. R_D is infinite if z = 0 or x = y = 0, and 0 if an argument is infinite.
+   It is NaN if both hold, or if an argument is negative. It may be NaN, too, if one argument is more than 1e307 times
+   (float 1e37) another one that is not 0. DLMF 19.16.5. */
 VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
 {
     const vm_real largest = vmi_larger(vmi_larger(x, y), z);
@@ -419,8 +436,8 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
     return by.root * (by.root * (by.root * (3 * rd)));
 }
 
-/* Returns R_J(x, y, z, p) for p < 0, its Cauchy principal value, for 0 <= x, y <= z of which at most one is 0. It is
-   computed from R_J with the positive number `other` in place of p (DLMF 19.20.14). */
+/* Returns R_J(x, y, z, p) for p < 0, Cauchy's principal value of the integral, for 0 <= x, y <= z of which at most one
+   is 0. R_J is computed from R_J(x, y, z, other), where `other` is a positive number (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
@@ -430,11 +447,12 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
     return (rest + 3 * VM_SQRT(x * y * z / product / other) * vmi_rc(product / other, q)) / (z + q);
 }
 
-/* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. It is symmetric in x, y, z. For p > 0 the
-   error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16 ulp elsewhere. For p < 0
-   R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y, z, |p|). R_J is infinite
-   if p = 0 or if two of x, y, z are 0. It is 0 if an argument is infinite. It is NaN if x, y or z is negative, or if
-   one argument is more than 1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
+/* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. R_J does not change if x, y and z are
+   exchanged. For p > 0 the error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16
+   ulp elsewhere. For p < 0 R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of
+   R_J(x, y, z, |p|). R_J is infinite if p = 0 or if two of x, y, z are 0. It is 0 if an argument is infinite. It is NaN
+   if both hold, or if x, y or z is negative. It may be NaN, too, if one argument is more than 1e307 times (float 1e37)
+   another one that is not 0. DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
@@ -462,9 +480,10 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 }
 
 /* R_G(x, y, z), Carlson's symmetric integral of the second kind, for x, y, z >= 0. The error is at most 10 ulp. R_G is
-   infinite if an argument is infinite, and NaN if one is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid with
-   the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. The function uses DLMF
-   19.21.10, whose terms are all positive if z is the middle one of the arguments. */
+   infinite if an argument is infinite, and NaN if an argument is negative. E(m) is 2 R_G(0, 1 - m, 1), and an ellipsoid
+   with the half axes a, b, c has the surface 4 pi R_G(a^2 b^2, b^2 c^2, c^2 a^2). DLMF 19.16.3. The function uses DLMF
+   19.21.10 with the arguments exchanged so that z is neither the smallest nor the largest: then all terms are
+   positive. */
 VM_API vm_real jacobi_RG(vm_real x, vm_real y, vm_real z)
 {
     const vm_real least = vmi_smaller(vmi_smaller(x, y), z), largest = vmi_larger(vmi_larger(x, y), z);

@@ -1,19 +1,21 @@
 /* jacobi/incomplete.h - incomplete elliptic integrals F, E, D and Pi, and the complete D and Pi
 
-     F(phi | m)     = integral from 0 to phi of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
+     F(phi | m)     = integral of dx/sqrt(1 - m sin^2 x), the inverse of the amplitude am(u | m)
      E(phi | m)     = integral of sqrt(1 - m sin^2 x) dx
      D(phi | m)     = integral of sin^2 x dx/sqrt(1 - m sin^2 x), which is (F - E)/m
      Pi(n; phi | m) = integral of dx/((1 - n sin^2 x) sqrt(1 - m sin^2 x)), where n is the characteristic
-   All integrals are from 0 to phi. For m = k^2 <= 1 the angle phi is any number of radians; for m > 1 it lies between
-   -arcsin(1/k) and arcsin(1/k), where the roots are real (jacobi/above_one.h). F is the time in which a pendulum
-   reaches an angle, E the length of an arc of an ellipse, Pi the precession of a spherical pendulum or a top.
+   All integrals are from 0 to phi; with phi = pi/2 they are the complete integrals. For m = k^2 <= 1 the angle phi is
+   any number of radians. For m > 1 it lies between -arcsin(1/k) and arcsin(1/k), where the square roots are real
+   (jacobi/above_one.h). F is the time in which a pendulum reaches an angle, E the length of an arc of an ellipse, and
+   Pi the precession of a spherical pendulum or a top.
 
        vm_real u = jacobi_F(VM_C(1.2), VM_C(0.5)); // am(u | 0.5) = 1.2
 
-   Method: a multiple of pi is subtracted from phi, so that the rest theta has |theta| <= pi/2; pi is used in three
-   words. Each pi adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals whose
-   terms are all positive, so that no digits are lost. Source: DLMF 19.2, 19.7, 19.25. Tests:
-   tests/test_elliptic_integrals.c. */
+   Method: a multiple of pi is subtracted from phi, so that a rest theta with |theta| <= pi/2 is left. For this
+   subtraction pi has three words, that is, it is a sum of three floating-point numbers. Each pi that was subtracted
+   adds twice the complete integral. The integral from 0 to theta is a sum of Carlson's integrals. The terms of the sum
+   are all positive, so that no digits are lost; the exception is Pi for n > 1 (see vmi_Pi_part). Source: DLMF 19.2,
+   19.7, 19.25. Tests: tests/test_elliptic_integrals.c. */
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
 
@@ -27,12 +29,13 @@
 
 /* An angle as the sum of a multiple of pi and a rest theta, |theta| <= pi/2 */
 typedef struct VM_TAG(vmi_angle) {
-    vm_real turns; /* phi = turns pi/2 + theta: an integral from 0 to phi contains `turns` complete integrals */
+    vm_real turns; /* phi = turns pi/2 + theta, with an even number `turns`. An integral from 0 to phi is the integral
+                      from 0 to theta plus `turns` times the complete integral */
     vm_two s, c;   /* sin theta and cos theta, each within 0.4 ulp */
 } vmi_angle;
 
-/* Reduces the finite angle phi. Where phi is so large that its digits do not determine theta, turns is 2 phi/pi and
-   theta is 0. */
+/* Returns turns, sin theta and cos theta for the finite angle phi. If phi is so large that its digits do not determine
+   theta, theta is taken as 0, and turns is 2 phi/pi, which then need not be an even number. */
 VM_INLINE vmi_angle vmi_angle_of(vm_real phi)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -74,8 +77,8 @@ VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
     return !(VM_IS_FINITE(phi) && m1 >= 0 && VM_IS_FINITE(m1));
 }
 
-/* Returns turns complete + part, an integral from 0 to phi, with one rounding where the terms are not huge.
-   `complete` is the integral from 0 to pi/2, `part` the integral from 0 to theta. */
+/* Returns turns * complete + part, an integral from 0 to phi. `complete` is the integral from 0 to pi/2, `part` the
+   integral from 0 to theta. Where the terms are not huge, the result is rounded only once. */
 VM_INLINE vm_real vmi_with_turns(vm_real turns, vm_real complete, vm_real part)
 {
     const int safe = VM_FABS(turns) < 1 / VM_EPSILON && VM_FABS(complete) < VM_MAX * VM_EPSILON;
@@ -103,11 +106,11 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
     return vmi_with_turns(angle.turns, vmi_K(m1, m1_lo), part);
 }
 
-/* F(phi | m), the incomplete elliptic integral of the first kind. It is the inverse of the amplitude. It is odd in phi,
-   and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for
-   infinite phi, 0 for m = -infinity, and NaN where both are infinite. For m = 1 F is infinite for |phi| > pi/2. For
-   m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call. DLMF
-   19.2.4, 19.25.5. */
+/* F(phi | m), the incomplete elliptic integral of the first kind. F is the inverse of the amplitude. F is odd in phi,
+   and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 F is
+   phi for infinite phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 F is infinite for |phi| > pi/2.
+   For m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call.
+   DLMF 19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -121,9 +124,9 @@ VM_API vm_real jacobi_F_m1(vm_real phi, vm_real m1) { return vmi_F(phi, m1, 0); 
 /* Returns x^2 for a number in two words, with two roundings. */
 VM_INLINE vm_real vmi_squared(vm_two x) { return x.hi * x.hi + 2 * x.hi * x.lo; }
 
-/* Returns E(theta | m) for |theta| <= pi/2 and m <= 1, from the sine and the cosine of theta. Both m and m1 = 1 - m are
-   arguments, so that each has all its digits. There is one formula for m < 0 and one for m >= 0; all their terms are
-   positive (DLMF 19.25.9-10). */
+/* Returns E(theta | m) for |theta| <= pi/2 and m <= 1, from s = sin theta and c = cos theta. Both m and m1 = 1 - m are
+   arguments, so that each has all its digits. One formula serves for m < 0, another one for m >= 0. All terms of both
+   are positive (DLMF 19.25.9-10). */
 VM_API vm_real vmi_E_part(vm_two s, vm_two c, vm_real m, vm_real m1)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), dd = cc + m1 * ss;
@@ -154,10 +157,10 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return vmi_with_turns(angle.turns, vmi_E(m1, m1_lo), part);
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind. It is odd in phi, and for m <= 1 E(phi + pi) =
-   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). Returns phi for infinite phi, and infinity
-   with the sign of phi for m = -infinity. For m > 1 E is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite
-   m. docs/cost.md has the time of a call. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1
+   E(phi + pi) = E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for
+   infinite phi. For m = -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where
+   m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -169,11 +172,11 @@ VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
    digits. */
 VM_API vm_real jacobi_E_incomplete_m1(vm_real phi, vm_real m1) { return vmi_E_incomplete(phi, 1 - m1, m1, 0); }
 
-/* Returns the factor `lift`, a power of 2 that keeps Carlson's integrals from losing digits where a product of small
-   arguments would underflow or a sum of large ones would overflow. All arguments are multiplied by the square of the
-   factor. The weight of R_D and R_J is multiplied by this square, too. The integral is then multiplied by the factor,
-   which gives its value for the original arguments. The factor is 1 for ordinary arguments, and above 1 only where
-   m1 < 1. `least` is about the smallest of the arguments. */
+/* Returns `lift`, a power of 2 that keeps Carlson's integrals from losing digits where a product of small arguments
+   would underflow or a sum of large ones would overflow. The caller multiplies all arguments, and the weight of R_D or
+   R_J, by lift^2, and the integral by lift, which gives the value for the original arguments. lift is 1 for ordinary
+   arguments. It is above 1 only if m1 < 1, and below 1 only for a huge m1. `least` is about the smallest of the
+   arguments. */
 VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
 {
     if (m1 < 1 && least < VM_MIN / VM_EPSILON) return vmi_ldexp(1, VM_MANT_DIG > 24 ? 300 : 40);
@@ -181,8 +184,8 @@ VM_INLINE vm_real vmi_lift_of(vm_real least, vm_real m1)
     return 1;
 }
 
-/* Returns D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. It is
-   s^3 R_D(c^2, 1 - m s^2, 1)/3. */
+/* Returns D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta, as s^3
+   R_D(c^2, 1 - m s^2, 1)/3. */
 VM_API vm_real vmi_D_part(vm_two s, vm_two c, vm_real m1)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
@@ -192,7 +195,7 @@ VM_API vm_real vmi_D_part(vm_two s, vm_two c, vm_real m1)
 }
 
 /* Returns D(m) - D(theta | m) for 0 <= theta <= pi/2 and m <= 1, from s = sin theta and c = cos theta. With
-   d = 1 - m s^2 it is c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
+   d = 1 - m s^2 the difference is c (s/sqrt(d) + c^2 R_D(m1 s^2, m1, d)/3), a sum of positive terms. */
 VM_API vm_real vmi_D_complement(vm_two s, vm_two c, vm_real m1)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
@@ -219,8 +222,9 @@ VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
    Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
-/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi the difference
-   2 D(m) - D(pi - phi | m) would triple the errors. Therefore the result of vmi_D_complement is added to D(m) there. */
+/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi D(phi | m) is 2
+   D(m) - D(pi - phi | m), but this difference would triple the errors. Therefore the function adds the result of
+   vmi_D_complement to D(m) there. */
 VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -244,10 +248,10 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 
 /* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits are lost,
    not even for m = 0. D is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
-   |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. Returns phi for infinite phi, 0 for
-   m = -infinity, and NaN where both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN where m
-   sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF 19.2.6,
-   19.25.13. */
+   |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. For m <= 1 D is phi for infinite
+   phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN
+   where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF
+   19.2.6, 19.25.13. */
 VM_API vm_real jacobi_D_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -266,12 +270,13 @@ VM_INLINE vm_real vmi_share_below_pole(vm_real n, vm_real m1)
 }
 
 /* Returns Pi(n; theta | m) for |theta| <= pi/2, from s = sin theta and c = cos theta, with 1 - m = m1. Let
-   p = 1 - n s^2 and d = 1 - m s^2. There are three formulas. Each is a sum of positive terms, except for one term of
-   the third formula with m > 0.
-     n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9), and q is
-            1 - N s^2 = c^2 + s^2 m1/(1 - n). R_C depends on `gap`, the difference p q - d, which is -n N s^2 c^2;
-     0 <= n and p > 0: s R_F + n s^3 R_J/3 (DLMF 19.25.14);
-     p < 0: m/n replaces n (DLMF 19.7.8), q = 1 - s^2 m/n, and R_C has its principal value. */
+   p = 1 - n s^2 and d = 1 - m s^2. There are three formulas:
+     n < 0: the characteristic N = (m - n)/(1 - n), which lies between m and 1, replaces n (DLMF 19.7.9). q is
+            1 - N s^2 = c^2 + s^2 m1/(1 - n). R_C depends on `gap`, the difference p q - d, which is -n N s^2 c^2.
+     n >= 0 and p > 0: the result is s R_F + n s^3 R_J/3 (DLMF 19.25.14).
+     p < 0: the characteristic m/n replaces n (DLMF 19.7.8). q is 1 - s^2 m/n, and R_C is Cauchy's principal value.
+   Each formula is a sum of positive terms, except that the third one has a negative term if m > 0. For p = 0 the result
+   is infinite, with the sign of s. */
 VM_API vm_real vmi_Pi_part(vm_two s, vm_two c, vm_real n, vm_real m, vm_real m1)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss, top = vmi_larger(d, 1);
@@ -298,8 +303,8 @@ VM_API vm_real vmi_Pi_part(vm_two s, vm_two c, vm_real n, vm_real m, vm_real m1)
 
 /* Returns Pi(n | m) for n < 0 and m1 = 1 - m > 0. The factor `lift`, a power of 2 from vmi_lift_of, keeps numbers from
    underflowing. For a very large -n, however, (1 - m)/(1 - n) may underflow even after it is multiplied by lift^2.
-   There the result is (pi/2)/sqrt(1 - n) + K/(1 - n), where K is K(m); the next term of this series, -E(m)/(1 - n), is
-   far below an ulp. */
+   There the result is the sum (pi/2)/sqrt(1 - n) + K(m)/(1 - n), which begins a series; the next term, -E(m)/(1 - n),
+   is far below an ulp. */
 VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
 {
     const vm_real lift = vmi_lift_of(m1 / (1 - n), m1), more = lift * lift, share = more * m1 / (1 - n);
@@ -311,7 +316,8 @@ VM_API vm_real vmi_Pi_negative(vm_real n, vm_real m1)
     return lift * vmi_two_plus(vmi_two(rf / (1 - n), 0), vmi_two_scaled(third, n / (n - 1))).hi;
 }
 
-/* Returns Pi(n | m), from both m and m1 = 1 - m. The three cases of n are those of vmi_Pi_part for theta = pi/2. */
+/* Returns Pi(n | m), from both m and m1 = 1 - m. The formulas for n < 0, 0 <= n < 1 and n > 1 are those of vmi_Pi_part
+   for theta = pi/2. */
 VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 {
     const vm_real top = vmi_larger(m1, 1);
@@ -335,21 +341,23 @@ VM_API vm_real vmi_Pi(vm_real n, vm_real m, vm_real m1)
 }
 
 /* Pi(n | m), the complete elliptic integral of the third kind, for m <= 1. The characteristic n is any number. The
-   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite for n = 1. For m = 1 it is infinite,
-   too, with the sign of 1 - n. It is 0 for infinite n, and for m = -infinity with n < 1. It is NaN for m > 1. DLMF
-   19.2.8, 19.6.5. */
+   error is at most 8 ulp. For n > 1 Pi is Cauchy's principal value. Pi is infinite for n = 1 and a finite m. For m = 1
+   Pi is infinite for every finite n, with the sign of 1 - n. Pi is 0 for infinite n and a finite m < 1, and for
+   m = -infinity and a finite n < 1. Pi is NaN for m > 1, for infinite n with m = 1 or m = -infinity, and for
+   m = -infinity with n >= 1. DLMF 19.2.8, 19.6.5. */
 VM_API vm_real jacobi_Pi(vm_real n, vm_real m) { return vmi_Pi(n, m, 1 - m); }
 
 /* Pi(n | m) from the complementary parameter m1 = 1 - m >= 0.
    Domain and accuracy are those of jacobi_Pi. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_Pi_m1(vm_real n, vm_real m1) { return vmi_Pi(n, 1 - m1, m1); }
 
-/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let
-   psi be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from
-   0 to psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). It is the sum of a term with R_F and a
-   term with R_J. For n > 0 the term with R_J is negative, so that the sum has larger errors than its terms. The other
-   way to Pi(n; pi - theta | m), 2 Pi(n | m) - Pi(n; theta | m), has smaller errors if the term with R_F is larger
-   than Pi(n | m), which is the argument `complete`. *exact becomes 0 then, else 1. */
+/* Returns Pi(n | m) - Pi(n; theta | m) for n < 1 and 0 <= theta <= pi/2, from s = sin theta and c = cos theta. Let psi
+   be the angle for which tan theta tan psi = 1/k', and N = (m - n)/(1 - n). Then the result is the integral from 0 to
+   psi of (1 - m sin^2 x)/((1 - n)(1 - N sin^2 x)) dx/sqrt(1 - m sin^2 x). The function computes this integral as the
+   sum of a term with R_F and a term with R_J. For n > 0 the term with R_J is negative, so that the sum has larger
+   errors than its terms. `complete` is Pi(n | m). If the term with R_F is larger than `complete`, *exact becomes 0;
+   then the difference 2 Pi(n | m) - Pi(n; theta | m) is a more exact way to Pi(n; pi - theta | m). Otherwise *exact
+   becomes 1. */
 VM_API vm_real vmi_Pi_complement(vm_two s, vm_two c, vm_real n, vm_real m1, vm_real complete, int *exact)
 {
     const vm_real cc = vmi_squared(c), ss = vmi_squared(s), d = cc + m1 * ss;
@@ -363,9 +371,9 @@ VM_API vm_real vmi_Pi_complement(vm_two s, vm_two c, vm_real n, vm_real m1, vm_r
     return lift * (vmi_times_sum(c, vmi_two(rf, 0), third) / (1 - n));
 }
 
-/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, the difference
-   2 Pi(n | m) - Pi(n; pi - phi | m) would triple the errors. Therefore the result of vmi_Pi_complement is added to Pi(n
-   | m) there. */
+/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi Pi(n; phi | m) is 2
+   Pi(n | m) - Pi(n; pi - phi | m), but this difference usually triples the errors. Therefore, for n < 1, the function
+   adds the result of vmi_Pi_complement to Pi(n | m) there, if vmi_Pi_complement reports that this sum is more exact. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, vm_real m1_lo)
 {
     vmi_angle angle;
@@ -394,9 +402,11 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
    phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
-   n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. The result is 0 for
-   infinite n and m <= 1, and for m = -infinity. For m > 1 it is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for
-   infinite m or n. docs/cost.md has the time of a call. DLMF 19.2.7. */
+   n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. For a finite phi, Pi is 0
+   for infinite n and a finite m < 1, and for m = -infinity and a finite n < 1. Pi is NaN for those infinite n or m for
+   which jacobi_Pi(n, m) is NaN. For infinite phi and m <= 1, Pi is infinite with the sign of phi Pi(n | m), and NaN if
+   Pi(n | m) is 0 or NaN. For m > 1 Pi is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m or n.
+   docs/cost.md has the time of a call. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

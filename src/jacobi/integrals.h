@@ -1,15 +1,16 @@
 /* jacobi/integrals.h - complete elliptic integrals K and E
 
-   K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x), E(m) = integral of sqrt(1 - m sin^2 x) dx from 0 to pi/2,
-   too. The parameter m = k^2 is any number <= 1, also a negative one. The forms with suffix _m1 take m1 = 1 - m; use
-   them for m close to 1, where the difference 1 - m would lose digits. For m between -33.5 and 0.971, K and E are
-   computed by series after one or two steps of the arithmetic-geometric mean, for any other m by sums that contain the
-   logarithm of k' = sqrt(1 - m).
+     K(m) = integral from 0 to pi/2 of dx/sqrt(1 - m sin^2 x),
+     E(m) = integral from 0 to pi/2 of sqrt(1 - m sin^2 x) dx.
+   The parameter m = k^2 is any number <= 1, also a negative one. The functions with the suffix _m1 take m1 = 1 - m; use
+   them for m close to 1, where the difference 1 - m would lose digits. For m between -33.5 and 0.971 K and E are
+   computed by series after steps of the arithmetic-geometric mean: two steps for K, one for E. For any other m they are
+   computed by sums that contain the logarithm of k' = sqrt(1 - m).
 
        vm_real K = jacobi_K(VM_C(0.5)); // 1.854...
 
-   Equation (307) and DLMF 19. The polynomials are computed by tests/gen/jacobi_coefficients.py. Tests:
-   tests/test_jacobi.c. */
+   Source: equation (307) of the dissertation, and DLMF 19. The polynomials are computed by
+   tests/gen/jacobi_coefficients.py. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_INTEGRALS_H
 #define VARMASS_JACOBI_INTEGRALS_H
 
@@ -37,8 +38,8 @@ VM_API vm_two vmi_log_4(vm_real m1, vm_real m1_lo)
     return vmi_two(sum.hi, sum.lo + (ln4_lo + half * (L.lo + m1_lo / m1)));
 }
 
-/* Returns K for 1 - m = c <= 1/2 and l = ln(4/k'), as K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)). The polynomials A
-   and B were fitted together; the relative error that they make in K is below 2^-58 (float 2^-30). */
+/* Returns K in two words for 1 - m = c <= 1/2 and l = ln(4/k'), as K = l + c (l - 1)/4 + c^2 (l A(c) - B(c)). The
+   polynomials A and B were fitted together; the relative error that they make in K is below 2^-58 (float 2^-30). */
 VM_API vm_two vmi_K_by_log(vm_real c, vm_two l)
 {
     const vm_real cc = c * c, head = vmi_head(c), tail = c - head;
@@ -89,10 +90,10 @@ VM_API vm_real vmi_E_rest(vm_real c, vm_real l)
     return c * (l * A - B);
 }
 
-/* Returns S(x), the power series for which K = pi/(1 + k') (1 + x S(x)) with x = ((1 - k')/(1 + k'))^2, for x <=
-   0.0295. S is computed by a polynomial. The polynomial's error of x S is below 2^-59.2 (float 2^-29.9). x is made this
-   small by a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One step is enough for
-   every m1 for which VMI_MIDDLE(m1) is 1. */
+/* Returns S(x) for x = ((1 - k')/(1 + k'))^2. S is the power series for which K = pi/(1 + k') (1 + x S(x)), and it is
+   computed by a polynomial. The polynomial's error of x S is below 2^-58.7 (float 2^-29.6) for x <= 0.0299. vmi_K
+   makes x so small by a step of the arithmetic-geometric mean, which replaces k' by 2 sqrt(k')/(1 + k'). One such step
+   leads to x < 0.0299 for every m1 for which VMI_MIDDLE(m1) is 1. */
 VM_API vm_real vmi_K_series(vm_real x)
 {
 #if VM_MANT_DIG > 24
@@ -106,9 +107,9 @@ VM_API vm_real vmi_K_series(vm_real x)
 #endif
 }
 
-/* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503, where S is the power series for which E = (pi/4) (1 + k')
-   (1 + x S(x)); this S is not the S of vmi_K_series. S is computed by a polynomial. The polynomial's error of x S is
-   below 2^-56.7 (float 2^-28.5). */
+/* Returns x S(x) for x = ((1 - k')/(1 + k'))^2 <= 0.503. S is the power series for which E = (pi/4) (1 + k') (1 + x
+   S(x)), not the S of vmi_K_series, and it is computed by a polynomial. The polynomial's error of x S is below 2^-56.7
+   (float 2^-28.5). */
 VM_API vm_real vmi_E_series(vm_real x)
 {
     const vm_real xx = x * x, x4 = xx * xx;
@@ -131,9 +132,9 @@ VM_API vm_real vmi_E_series(vm_real x)
 }
 
 /* Returns K for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, K comes from two steps of the
-   arithmetic-geometric mean and the series S(x) of vmi_K_series: K = 2 pi (1 + x S)/(1 + f)^2 with f^2 = k' and
-   x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from logarithms (vmi_K_by_log), and so it does for m < -33.5, since k'
-   K(m) = K(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
+   arithmetic-geometric mean and the series S(x) of vmi_K_series: K = 2 pi (1 + x S(x))/(1 + f)^2 with f^2 = k' and
+   x = ((1 - f)/(1 + f))^4. For m > 0.971 K comes from a logarithm (vmi_K_by_log). For m < -33.5 K is K(mu)/k', where mu
+   is the parameter with 1 - mu = 1/(1 - m), and K(mu) comes from a logarithm, too. */
 VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
 {
     vm_two K, root;
@@ -155,8 +156,9 @@ VM_API vm_real vmi_K(vm_real m1, vm_real m1_lo)
     return quotient + (K.lo - quotient * root.lo) / root.hi;
 }
 
-/* Returns E for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series, for
-   m > 0.971 from vmi_E_rest, and for m < -33.5 from E(m) = k' E(mu) for the parameter mu with 1 - mu = 1/(1 - m). */
+/* Returns E for 1 - m = m1 + m1_lo, a number in two words. Where VMI_MIDDLE(m1) is 1, E comes from vmi_E_series. For
+   m > 0.971 E comes from vmi_E_rest. For m < -33.5 E is k' E(mu), where mu is the parameter with 1 - mu = 1/(1 - m),
+   and E(mu) comes from vmi_E_rest, too. */
 VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
 {
     vm_two root;
@@ -165,7 +167,7 @@ VM_API vm_real vmi_E(vm_real m1, vm_real m1_lo)
         const vmi_three half_pi = vmi_half_pi();
         const vm_real kp = VM_SQRT(m1), k1 = (1 - kp) / (1 + kp);
         const vm_two sum = vmi_two_sum(1, kp);
-        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k': m1_lo/(2 k') for m < -15; for other m negligible */
+        const vm_real kp_lo = m1_lo * VM_C(0.09); /* low word of k': about m1_lo/(2 k') for m < -15, else negligible */
         const vm_real more = (sum.lo + kp_lo) + sum.hi * vmi_E_series(k1 * k1);
         return half_pi.hi / 2 * sum.hi + (half_pi.hi / 2 * more + half_pi.mid / 2 * sum.hi);
     }
@@ -202,9 +204,8 @@ VM_API vm_real jacobi_E(vm_real m)
     return vmi_E(m1.hi, m1.lo);
 }
 
-/* k' K(m) = sqrt(1 - m) K(m), the left side of equation (307), for m <= 1.
-   It falls from infinity, as m tends to -infinity, to 0 at m = 1. The error is at most 5 ulp. Returns NaN for m > 1
-   and for infinite m. */
+/* k' K(m) = sqrt(1 - m) K(m), the left side of equation (307), for m <= 1. The product falls from infinity, as m tends
+   to -infinity, to 0 at m = 1. The error is at most 5 ulp. Returns NaN for m > 1 and for infinite m. */
 VM_API vm_real jacobi_kpK(vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

@@ -16,8 +16,8 @@
 #include "carlson.h"
 #include "integrals.h"
 
-/* Returns the inverse of sn for 1 - m = m1. 1 - x^2 is computed as the product (1 - x)(1 + x), so that it keeps its
-   digits. */
+/* Returns the inverse of sn for 1 - m = m1. The difference 1 - x^2 is computed as the product (1 - x)(1 + x), so that
+   no digits are lost. */
 VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
 {
     const vm_real cc = (1 - x) * (1 + x);
@@ -27,9 +27,9 @@ VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
     return x * vmi_rf(cc, cc + m1 * (x * x), 1);
 }
 
-/* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. It is odd in x. The error is at most
-   8 ulp. For m = 1 it is the inverse of tanh, infinite for |x| = 1. Returns 0 for m = -infinity, and NaN for |x| > 1
-   and for m > 1. DLMF 22.15.12. */
+/* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. The result is odd in x. The error is
+   at most 8 ulp. For m = 1 the function is the inverse of tanh, infinite for |x| = 1. Returns 0 for m = -infinity, and
+   NaN for |x| > 1 and for m > 1. DLMF 22.15.12. */
 VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
 
 /* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
@@ -37,8 +37,8 @@ VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x
    digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
 
-/* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x < 0 it is 2 K minus the inverse at
-   |x|, which is at most K. */
+/* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x >= 0 the inverse is at most K. For
+   x < 0 it is 2 K minus the inverse at |x|. */
 VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
 {
     const vm_real ss = (1 - x) * (1 + x), cc = x * x;
@@ -53,8 +53,8 @@ VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
 }
 
 /* The inverse of cn: u with cn(u | m) = x and 0 <= u <= 2K, for |x| <= 1 and m <= 1. The error is at most 8 ulp. For
-   m = 1 it is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and NaN for |x|
-   > 1 and for m > 1. DLMF 22.15.13. */
+   m = 1 the function is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and
+   NaN for |x| > 1 and for m > 1. DLMF 22.15.13. */
 VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -66,9 +66,9 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
    digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
-/* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, m s^2 is 1 - x^2
-   and m c^2 is x^2 - m1. x^2 - m1 is computed from the exact square of x. It may be negative if x is the rounded value
-   of k'; then c is taken as 0, and s as 1. */
+/* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, s^2 is
+   (1 - x^2)/m, and c^2 is (x^2 - m1)/m. The difference x^2 - m1 is computed from the exact square of x. If x is the
+   rounded value of k', the computed c^2 may be negative, and s^2 above 1; then c is taken as 0, and s as 1. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);
@@ -83,8 +83,9 @@ VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 }
 
 /* The inverse of dn: u with dn(u | m) = x and 0 <= u <= K, for x between 1 and sqrt(1 - m), m <= 1. The error is at
-   most 8 ulp. For m = 1 it is the inverse of 1/cosh, infinite for x = 0. Returns NaN for m > 1 and for an x outside
-   these limits. For m = 0 dn is 1 everywhere; then u is 0 for x = 1. DLMF 22.15.14. */
+   most 8 ulp. For m = 1 the function is the inverse of 1/cosh, infinite for x = 0. Returns NaN for m > 1, for infinite
+   m, and for an x that is not between 1 and sqrt(1 - m). For m = 0 dn is 1 everywhere; then u is 0 for x = 1. DLMF
+   22.15.14. */
 VM_API vm_real jacobi_inverse_dn(vm_real x, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

@@ -1,9 +1,10 @@
 /* jacobi/third_kind.h - elliptic integrals of the third kind, theta functions of complex argument
 
    The attitude of a body that rotates without torque needs, besides sn, cn and dn, the complete integral of the third
-   kind Pi(-N | m) and theta functions of a complex argument. Both are computed here in two words, so that the
-   attitude stays right after a million turns (mechanics/torque_free.h). All functions of this file are internal. p is
-   the number of binary digits of vm_real.
+   kind Pi(-N | m) and theta functions of a complex argument. The integrals are computed here in two words, because the
+   rates that follow from them are multiplied by long times; with two words the attitude stays right even after a
+   million turns (mechanics/torque_free.h). The theta functions are computed in one word. All functions of this file are
+   internal. p is the number of binary digits of vm_real.
 
    Source: DLMF 19.8, 19.36, 20.7. Tests: tests/test_torque_free.c. */
 #ifndef VARMASS_JACOBI_THIRD_KIND_H
@@ -15,10 +16,11 @@
 #include "../base/words.h"
 #include "theta.h"
 
-/* Returns Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0. The
-   arguments are brought together by duplications, usually 7, until the series in their differences (DLMF 19.36.1) has
-   an error of 2^-(2p - 4), where p is the number of binary digits of vm_real. If an argument is 2^-n times the largest
-   one, log2(n) more duplications are needed. */
+/* Returns Carlson's symmetric integral R_F(x, y, z) in two words, for x, y, z >= 0 of which at most one is 0.
+   Duplications (jacobi/carlson.h), usually 7, bring the arguments together, until the series in their differences (DLMF
+   19.36.1) has an error of 2^-(2p - 4), where p is the number of binary digits of vm_real. If two of the arguments are
+   much smaller than the third one, and the larger of these two is 2^-n times the third one, about log2(n) more
+   duplications are needed. */
 VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
 {
     const vm_real enough = VM_SQRT(VM_SQRT(VM_EPSILON));
@@ -50,26 +52,27 @@ VM_API vm_two vmi_carlson_rf(vm_two x, vm_two y, vm_two z)
     return vmi_two_over(sum, vmi_two_root(A));
 }
 
-/* The complete integral of the third kind, Pi(-N | m), divided by K(m) */
+/* The complete integral of the third kind, Pi(-N | m), divided by K(m), and the mean from which K(m) follows */
 typedef struct VM_TAG(vmi_third_kind) {
     vm_two mean;  /* agm(1, k') = pi/(2K) */
     vm_two ratio; /* Pi(-N | m)/K(m) */
     vm_two rest;  /* 1 - Pi(-N | m)/K(m) */
 } vmi_third_kind;
 
-/* Returns the complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and below =
-   1/(1 + N). It begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the arithmetic-geometric mean (DLMF
-   19.8.6-7). Each step replaces p and Q by p+ and Q+:
+/* Returns the complete integral of the third kind for m1 = 1 - m > 0 and N >= 0, where share = N/(1 + N) and
+   below = 1/(1 + N). The method begins with p = sqrt(1 + N), Q = 1 and the numbers a = 1, g = k' of the
+   arithmetic-geometric mean (DLMF 19.8.6-7). Each step replaces a and g by their two means, and p and Q by p+ and Q+:
      e = (p^2 - a g)/(p^2 + a g),  p+ = (p^2 + a g)/(2p),  Q+ = Q e/2.
-   1 - Pi/K is share/2 times the sum of all Q. Since this sum is 2 minus the sum of all Q (1 - e), both ratio = Pi/K and
-   rest = 1 - Pi/K are sums of positive terms. Therefore they are accurate for any N. */
+   The field rest = 1 - Pi/K is share/2 times the sum of all Q. This sum is also 2 minus the sum of all Q (1 - e).
+   Therefore the field ratio = Pi/K is `below` plus share/2 times the sum of all Q (1 - e). For m >= 0 all terms of both
+   fields are positive, so that both are accurate for any N. */
 VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two below)
 {
     vm_two a = vmi_two(1, 0), g = vmi_two_root(m1), p = vmi_two_root(vmi_two_over(a, below)), Q = a, ag, pp, above;
     vm_two sum = vmi_two(0, 0), less = sum;
     vmi_third_kind result;
     int step;
-    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and a step for each binary digit of sqrt(1 + N) */
+    for (step = 0; step < 200; step++) { /* 5 to 10 steps, and one more for each binary digit of sqrt(1 + N) */
         const vm_real apart = VM_FABS(a.hi - g.hi);
         ag = vmi_two_times(a, g);
         pp = vmi_two_times(p, p);
@@ -89,7 +92,7 @@ VM_API vmi_third_kind vmi_third_kind_ladder(vm_two m1, vm_two share, vm_two belo
     return result;
 }
 
-/* Computes the sine and the cosine of an angle of x turns, that is of 2 pi x, for |x| < 2^13. */
+/* Computes the sine and the cosine of an angle of x turns, that is of 2 pi x radians, for |x| < 2^13. */
 VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -109,21 +112,22 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     if (quarter == 1 || quarter == 2) *cosine = -*cosine;
 }
 
-/* The complex number theta_4(z + i zy), up to a real factor. Its angle is the periodic part of the angle by which a
-   torque-free body turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome is
-   Q = q^2, where q is the nome of m. There are two forms of the series.
-   The direct form is used for K <= 2K', so that Q <= exp(-pi):
+/* The numbers from which vmi_doubled_at computes theta_4(z + i zy), up to a real factor, which does not matter: only
+   the angle of this complex number is used. This angle is the periodic part of the angle by which a torque-free body
+   turns. z is pi u/(2K), and zy is pi y/(2K) with 0 <= y < K', where K' is K(1 - m). The nome of theta_4 is Q = q^2,
+   where q is the nome of m. There are two forms of the series. The direct form is used for K <= 2K', so that
+   Q <= exp(-pi):
      1 + sum over n >= 1 of (-1)^n (C_n cos 2nz - i S_n sin 2nz),
      C_n, S_n = e^(-(pi n/K)(2nK' - y)) +- e^(-(pi n/K)(2nK' + y)), with + for C_n and - for S_n.
-   The transformed form, the theta series after Jacobi's imaginary transformation, is used for larger K. With
-   Qd = exp(-pi K/(2K')) < exp(-pi), v = (2n + 1) pi/(4K') and |u| <= K it is
+   The transformed form, the theta series after Jacobi's imaginary transformation, is used for K > 2K'. Let Qd be
+   exp(-pi K/(2K')), which is below exp(-pi), and v = (2n + 1) pi/(4K'). Then, for |u| <= K, the transformed form is
      e^(-i pi u y/(4KK')) times the sum over n >= 0 of
      Qd^(n(n+1)) (cosh vu cos vy + i sinh vu sin vy) e^(-pi |u|/(4K')).
    In both forms four terms leave an error of 1e-19. The sums are stored as polynomials: in cos 2z in the direct form,
-   in exp(+-pi |u|/(2K')) in the transformed form. */
+   in Qd e^(+-pi |u|/(2K')) in the transformed form. */
 typedef struct VM_TAG(vmi_doubled_theta) {
-    vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) = exp(-decay |x|), where x = u/(4K); decay = 0 means
-                      that the fields are for the direct form, the Fourier series in cos 2nz and sin 2nz */
+    vm_real decay; /* in the transformed form exp(-pi |u|/(2K')) is exp(-decay |x|), where x = u/(4K). If decay is 0,
+                      the fields are those of the direct form, the Fourier series in cos 2nz and sin 2nz */
     vm_real shift; /* the angle of the factor e^(-i pi u y/(4KK')) is shift x turns, where x = u/(4K) */
     vm_real Q;     /* Qd = exp(-pi K/(2K')), the nome of the transformed form; 0 in the direct form */
     vm_real re[4], im[4]; /* coefficients of the two polynomials, for the real and the imaginary part */
@@ -155,7 +159,8 @@ VM_API vmi_doubled_theta vmi_doubled_direct(vm_real K, vm_real Kc, vm_real y)
 }
 
 /* Prepares the transformed form of theta_4, the theta series after Jacobi's imaginary transformation. Kc is
-   K' = K(1 - m). K may be infinite: then the argument x of vmi_doubled_at is u itself, not u/(4K). */
+   K' = K(1 - m). For m = 1, where K is infinite, the argument x of vmi_doubled_at is u itself, not u/(4K), and `shift`
+   is 0. */
 VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 {
     const int aperiodic = !VM_IS_FINITE(K);
@@ -182,7 +187,8 @@ VM_API vmi_doubled_theta vmi_doubled_dual(vm_real K, vm_real Kc, vm_real y)
 /* Returns the polynomial a[0] + a[1] x + a[2] x^2 + a[3] x^3. */
 VM_INLINE vm_real vmi_cubic(const vm_real *a, vm_real x) { return (a[0] + a[1] * x) + (a[2] + a[3] * x) * (x * x); }
 
-/* Computes theta_4 at x = u/(4K), |x| <= 1/4, without the factor e^(2 pi i shift x), by which the caller multiplies. */
+/* Computes the real and the imaginary part of theta_4 at x = u/(4K), |x| <= 1/4. (If K is infinite, x is u and may be
+   any number.) The factor e^(2 pi i shift x) is left out: the caller multiplies by it. */
 VM_API void vmi_doubled_at(const vmi_doubled_theta *d, vm_real x, vm_real *re, vm_real *im)
 {
     if (d->decay > 0) {

@@ -38,7 +38,7 @@ def series_error(precision, kind, top):
 
 
 def k_series(precision):
-    return series_error(precision, "K", "0.0295")
+    return series_error(precision, "K", "0.0299")
 
 
 def e_series(precision):
