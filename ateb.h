@@ -115,7 +115,8 @@
    COST
      docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. An ateb_plan has
      560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is that of the row of
-     docs/numbers.md with this number. The largest stack frame is below 2 kB.
+     docs/numbers.md with this number. In double ateb_plan_saca_array needs 3 kB of stack for a block of arguments; the
+     stack frame of any other function is below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
