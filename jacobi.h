@@ -13,12 +13,15 @@
        }
 
    CONVENTIONS
-     The variable comes first, then the parameter; results come last. The parameter is m = k^2, not the modulus k:
-     jacobi_K(0.25) is K for k = 1/2. In SciPy, Mathematica and GSL's elljac the argument is m, too; in Boost, C++17 and
-     GSL's Kcomp it is k. Any m <= 1 is allowed, also a negative m. The complementary parameter is m1 = 1 - m, the
-     complementary modulus k' = sqrt(m1). The functions with the suffix _m1 take or return m1. Use them where m is close
-     to 1: m1 then has all its digits, while a computed difference 1 - m has only a few. sn and cn have the period 4
-     K(m), dn has 2 K(m). All arguments are pure numbers.
+     The functions sn(u | m), cn(u | m) and dn(u | m) are defined by an angle phi, the amplitude: u is the integral of
+     dx/sqrt(1 - m sin^2 x) from 0 to phi, and sn = sin phi, cn = cos phi, dn = sqrt(1 - m sin^2 phi). K(m) is the same
+     integral from 0 to pi/2. sn and cn have the period 4 K(m), dn has the period 2 K(m); K is the quarter period.
+     The variable is the first argument, then comes the parameter; the results come last. The parameter is m = k^2, not
+     the modulus k: jacobi_K(0.25) is K for k = 1/2. In SciPy, Mathematica and GSL's elljac the argument is m, too; in
+     Boost, C++17 and GSL's Kcomp the argument is k. Any m <= 1 is allowed, also a negative m. The complementary
+     parameter is m1 = 1 - m, the complementary modulus k' = sqrt(m1). The functions with the suffix _m1 take or return
+     m1. Use them where m is close to 1: m1 then has all its digits, while a computed difference 1 - m has only a few.
+     All arguments are pure numbers; angles are in radians.
 
    WHAT TO CALL
      jacobi_sncndn        sn, cn and dn for one u and one m; the twelve quotients and the amplitude have functions of
@@ -27,60 +30,63 @@
      jacobi_K, jacobi_E, jacobi_Pi, jacobi_D
                           complete elliptic integrals of the first, second and third kind; D is (K - E)/m
      jacobi_F, jacobi_E_incomplete, jacobi_Pi_incomplete, jacobi_D_incomplete
-                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse of the amplitude. For
-                          m > 1 they have values up to phi = arcsin(1/sqrt(m)).
+                          incomplete elliptic integrals from 0 to any angle phi; F is the inverse function of the
+                          amplitude. For m > 1 these integrals have values up to phi = arcsin(1/sqrt(m)).
      jacobi_inverse_sn    u from sn(u | m); jacobi_inverse_cn and jacobi_inverse_dn do the same for cn and dn
      jacobi_RF            Carlson's integrals R_F, R_C, R_D, R_J, R_G; all other elliptic integrals are sums of these
-     jacobi_plan_init     prepares a plan for one m; then call jacobi_plan_sncndn for one u, or
+     jacobi_plan_init     prepares a plan, the numbers that depend only on m; then call jacobi_plan_sncndn for one u, or
                           jacobi_plan_sncndn_array for many u. A plan is plain data and may be a constant in flash;
-                          examples/print_plan prints one. On AVR copy it from there to RAM, by memcpy_P, before it is
-                          used.
+                          examples/print_plan prints such a constant. On AVR a plan in flash must be copied to RAM, by
+                          memcpy_P, before the plan is used.
      jacobi_solve_kpK     m from the value of k'K(m); jacobi_solve_K returns m from the value of K(m)
      jacobi_cn_means      mean values of cn^2, cn^4 and cn^6 over a period
-     jacobi_agm_...       sn, cn, dn and K by the arithmetic-geometric mean; jacobi_agm_sncndn takes the number of its
-                          steps as an argument
+     jacobi_agm_...       sn, cn, dn and K by the classical method, the arithmetic-geometric mean (see METHOD);
+                          jacobi_agm_sncndn takes the number of its steps as an argument
 
    ERRORS
      These arguments give NaN: m > 1, or m1 < 0 in functions that take m1 = 1 - m (jacobi_sncndn_any and the incomplete
-     integrals allow both); c < 0 in the functions jacobi_solve_...; NaN; infinite numbers, with these exceptions. The
-     incomplete integrals, jacobi_D, jacobi_Pi, the inverses and Carlson's integrals return the limit at an infinite
-     argument, and NaN where there is no limit. m = 1 gives the limits: K is infinite, E is 1, sn is tanh u, cn and dn
-     are 1/cosh u, for u = +-infinity too. A quotient such as sn/cn is infinite at its poles, where the denominator is
-     0. For a bad m jacobi_plan_init returns -1 and leaves the plan as it was. Nothing else can fail. The functions
-     allocate no memory and keep no state; errno says nothing about their errors.
+     integrals allow both); c < 0 in the functions jacobi_solve_...; NaN; and infinite numbers, with two exceptions. The
+     first exception: jacobi_K, jacobi_E, jacobi_D, jacobi_Pi, the incomplete integrals, the inverses and Carlson's
+     integrals return the limit at an infinite argument, and NaN where there is no limit. The second: m = 1 gives the
+     limits, for u = +-infinity too: K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u.
+     A quotient such as sn/cn is infinite at its poles, where the denominator is 0. For m > 1 and for an infinite or NaN
+     m, jacobi_plan_init returns -1 and leaves the plan as it was. No other error is possible. The functions allocate no
+     memory and keep no state; errno says nothing about their errors.
 
    METHOD
-     Where u^2 max(1, 1 - m) is small, (cn/sn)^2 at u/4 is computed by its power series (a Laurent series, since it
-     begins with 1/u^2). Then two duplications, which double the argument, lead from u/4 to u [1, 5]. This method needs
-     one square root, but not K.
-     If |u| is above about K/2, a multiple of the quarter period K is first subtracted. The closer u is to a zero of sn
-     or cn, the more digits of K are needed. K comes from a table, from two steps of the arithmetic-geometric mean and a
-     series, or from this mean in two or three words. A word is one number of the type; a sum of two or three words has
-     two or three times the digits.
-     Far from 0, for m near 1 or below -20, theta functions of an imaginary argument are used [1]. They are series in
-     powers of the nome of 1 - m or of 1/(1 - m), where the nome of m is exp(-pi K(1 - m)/K(m)). This nome is then at
-     most 0.003, so that few terms are enough.
+     Where u^2 max(1, 1 - m) is small, (cn/sn)^2 at u/4 is computed by its power series (a Laurent series, whose first
+     term is a multiple of 1/u^2). Then two duplications, each of which doubles the argument, lead from u/4 to u [1, 5].
+     This method needs one square root, but not K.
+     If |u| is above about K/2, a multiple of the quarter period K is subtracted from u first. The closer u is to a zero
+     of sn or cn, the more digits of K are needed. K comes from a table, from two steps of the arithmetic-geometric mean
+     and a series, or from more steps in two or three words. A step of this mean replaces two numbers by their
+     arithmetic and their geometric mean. A word is one number of the type; a sum of two or three words has two or three
+     times the digits.
+     For m near 1 or below about -21, u^2 max(1, 1 - m) may still be large after this subtraction. Then theta functions
+     of an imaginary argument are used [1]. They are series in powers of the nome of 1 - m or of 1/(1 - m), where the
+     nome of m is the number exp(-pi K(1 - m)/K(m)). The nome is here at most 0.003, so that few terms are enough.
      The incomplete integrals and the inverses use Carlson's duplication, which brings the arguments of an integral
      closer together, and then a power series up to the terms of degree 10 (float 4). For the incomplete integrals a
-     multiple of pi is first subtracted from the angle. A plan has polynomials in u^2 instead of the Laurent series. No
-     subtraction loses digits, not even for m = 1.
+     multiple of pi is subtracted from the angle first. Where jacobi_sncndn uses the Laurent series, a plan has
+     polynomials in the square of the reduced u. No subtraction loses digits, not even for m = 1.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         all numbers are float instead of double; the tests run both
      VM_API               linkage of every function; the default is static inline
-     VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
-                          the code is smaller and the results are the same.
+     VM_INLINE            linkage of the functions that are fast only if they are inlined. If VM_INLINE is defined as
+                          VM_API, the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
-                          the functions of the C library that are used; define all four or none.
-                          These functions are exact, so that results are the same on every machine, unless the compiler
+                          the functions of the C library that are used; define all four or none. Where the compiler
+                          says that fma is fast (FP_FAST_FMA, in float FP_FAST_FMAF), fma is used, too. All these
+                          functions round correctly, so that results are the same on every machine, unless the compiler
                           fuses products and sums.
-     VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
-                          are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
-                          that tables take no RAM
+     VM_TABLE, VM_READ    VM_TABLE is the storage of the tables, and VM_READ(x) reads x, an element of a table; define
+                          both or none. The defaults are static const and (x); on AVR they are static const PROGMEM and
+                          pgm_read_float(&(x)), so that tables take no RAM
      VM_ALLOW_FAST_MATH   lets the headers compile under -ffast-math or a part of it, but none of the bounds below holds
                           then
-     VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without it gcc and
-                          MSVC, and clang for Windows, refuse to link such a program.
+     VM_MIXED_PRECISIONS  allows a program in which some files define VM_USE_FLOAT and others do not. Without this macro
+                          gcc and MSVC, and clang for Windows, refuse to link such a program.
    Names that begin with vmi_ or VMI_ are internal.
 
    OPTIONS THAT CHANGE VALUES
@@ -99,7 +105,7 @@
      sn, cn, dn   absolute error <= 4 eps max(1, k') for |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). Relative
                   error <= 9 ulp for |u| <= 100 K, at the zeros and next to them too (in float, except where u is
                   within a millionth of an ulp of a zero). A plan is as accurate. For |u| >= K/eps the digits of u do
-                  not determine the phase: then sn = 0 and cn = dn = 1.
+                  not tell at which point of a period u lies: then sn = 0 and cn = dn = 1.
      K, E         <= 2 ulp
      k'K          <= 5 ulp
      means        <= 8 ulp, for the means of cn^2, cn^4 and cn^6
@@ -1178,8 +1184,8 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
    m is the parameter of an elliptic function. From a_0 = 1 and b_0 = k' = sqrt(1 - m) each step makes the next pair:
    a_(n+1) is the arithmetic mean of a_n and b_n, and b_(n+1) their geometric mean. Both sequences tend to one limit,
    agm(1, k'), and the quarter period is K = pi/(2 agm(1, k')). The number of right digits doubles in each step. The
-   limit is computed in one word (one vm_real) for jacobi/descending.h, and in two and three words for arguments next to
-   a zero of an elliptic function (jacobi/reduction.h). p is the number of binary digits of vm_real.
+   limit is computed in one word (one vm_real) for jacobi/descending.h, and in two and three words for arguments that
+   are large or next to a zero of an elliptic function (jacobi/reduction.h).
 
        vmi_three K = vmi_K_three_words(VM_C(0.7), 0); // K(0.3) with three times the digits
 
@@ -1190,21 +1196,22 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 /* Returns 1 if m1 = 1 - m is negative, infinite or NaN, so that no elliptic function has this parameter, else 0. */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
-/* The largest number of pairs a_n, b_n in a vmi_ladder. The smallest m1 > 0, 5e-324, needs 13 of them. */
+/* The largest number of pairs a_n, b_n in a vmi_ladder. The smallest m1 > 0, 5e-324, needs 13 pairs. */
 #define VMI_LADDER 16
 
-/* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from them,
-   beginning with the last step and ending with the first. */
+/* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from these numbers,
+   from the last step back to the first. */
 typedef struct VM_TAG(vmi_ladder) {
     int n;                                /* index of the last pair a_n, b_n */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
     vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2, where n is the field n */
 } vmi_ladder;
 
-/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps. It stops at the first n for which
-   x = (c_n/a_n)^2 <= eps/4. vmi_descend computes sn(u), beginning with sn(a_n u), whose parameter is x. Because x is so
-   small, it may begin with sin(a_n u) instead: the two differ by at most eps/60 for |a_n u| <= pi/4. The relative error
-   of the last a_n, as a value of agm(1, b0), is at most eps/16. */
+/* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps, but at least one. If the number of steps allows,
+   the function stops at the first n for which x = (c_n/a_n)^2 <= eps/4. The relative error of the last a_n, as a value
+   of agm(1, b0), is then at most eps/16. vmi_descend, which computes sn(u), would have to begin with sn(a_n u) for the
+   parameter x. Because x is so small, vmi_descend may begin with sin(a_n u) instead: the two differ by at most eps/60
+   for |a_n u| <= pi/4. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
     int n = 0;
@@ -1226,7 +1233,7 @@ VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON;
-    vm_real lift = 1, c; /* lift is a power of 2; roots of m1 lift^2 are taken, so that no word over- or underflows */
+    vm_real lift = 1, c; /* lift is a power of 2: the root of m1 lift^2 is taken, so that no word over- or underflows */
     vmi_three a = vmi_three_words(1, 0, 0), b;
     if (m1 < tiny) lift = 1 / tiny;
     if (m1 > 1 / tiny) lift = VM_EPSILON;
@@ -1243,13 +1250,14 @@ VM_API vmi_three vmi_K_three_words(vm_real m1, vm_real m1_lo)
 
 /* Returns agm(1, k') = pi/(2K) in two words, for 1 - m = m1 + m1_lo > 0. Let s be the mean of the last a_n and b_n, c
    half their difference, and x = (c/s)^2. The series agm(s + c, s - c) = s (1 - x/4 - 5 x^2/64 - ...) replaces a
-   further step of the mean. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). Where an argument u is
-   reduced by means of this result, the error of the result changes sn, cn and dn/k' by less than eps/8, since the
-   slopes of these functions are at most max(1, k'). */
+   further step of the mean. The relative error of the result is x eps/8 < 2^-85 (float 2^-41). The argument u is the
+   number that will be reduced by means of the result; the larger u is, the smaller x is made. The error of the result
+   therefore changes sn, cn and dn/max(1, k') by less than eps/8, since the slopes of these functions are at most
+   max(1, k'). */
 VM_API vm_two vmi_agm_two_words(vm_real m1, vm_real m1_lo, vm_real u)
 {
     const vm_real tiny = VM_EPSILON * VM_EPSILON, last = VM_MANT_DIG > 24 ? VM_C(3e-5) : VM_C(4e-3);
-    vm_real lift = 1, slope; /* lift is a power of 2; the root is taken of m1 lift^2, so that no word underflows */
+    vm_real lift = 1, slope; /* lift is a power of 2: the root of m1 lift^2 is taken, so that no word underflows */
     vm_two root, kp, a, b, p;
     if (m1 < tiny) lift = 1 / tiny;
     root = vmi_root(m1 * lift * lift, m1_lo * lift * lift);
@@ -1487,11 +1495,12 @@ VM_API vm_real jacobi_kpK(vm_real m)
 #endif
 /* jacobi/period_table.h - the quarter period K from a table of polynomials
 
-   To reduce a large argument, K is needed with more digits than a vm_real has. The arithmetic-geometric mean gives
-   these digits (jacobi/agm.h), but it is slow, since it takes one square root after another. Here K comes from one of
-   25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave of k', an interval from 2^n to 2^(n+1),
-   is divided into eight pieces. Each piece has its own polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the
-   middle of the piece. The table takes 3.8 kB (float 1 kB).
+   To reduce a large argument, the quarter period K is needed with more digits than a vm_real has. The
+   arithmetic-geometric mean gives these digits (jacobi/agm.h), but this method is slow, since it takes one square root
+   after another. Here K comes from one of 25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave
+   of k', an interval from 2^n to 2^(n+1), is divided into eight pieces of equal length. Each piece has its own
+   polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8 kB (float
+   1 kB).
 
        vmi_period K = vmi_period_by_table(VM_C(0.5), 0, VM_SQRT(VM_C(0.5))); // K(0.5) = K.head + K.middle + K.low
 
@@ -1502,8 +1511,8 @@ VM_API vm_real jacobi_kpK(vm_real m)
 /* VMI_IN_PERIOD_TABLE(kp) is 1 if the table gives the quarter period for k' = kp, else 0. */
 #define VMI_IN_PERIOD_TABLE(kp) ((kp) >= VM_C(0.171875) && (kp) < VM_C(1.5))
 
-/* The number of polynomials and the number of constants of each. Constants 0 and 1 are the two words of c_0, constants
-   2 and 3 those of c_1, and so on; after the first five coefficients (float three) each has one word. */
+/* The number of polynomials and the number of constants of each. The first five coefficients (float three) have two
+   words, the others one: constants 0 and 1 are the two words of c_0, constants 2 and 3 those of c_1, and so on. */
 enum { VMI_PERIOD_ROWS = 25, VMI_PERIOD_COLUMNS = VM_MANT_DIG > 24 ? 19 : 10 };
 
 /* Returns a constant of the polynomial number `row`. */
@@ -1725,17 +1734,19 @@ VM_INLINE vm_real vmi_period_constant(vmi_bits row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* The quarter period as the sum head + middle + low. head and middle are so short that their products with a whole
-   number below 2^20 (float 2^13) are exact. rough is the sum in one word with a relative error below 2^-27 (float
-   2^-23), and early is a sum that takes less time, with a relative error below 2^-13. */
+/* The quarter period as the sum head + middle + low. The numbers head and middle have few digits: their products with a
+   whole number below 2^20 are exact (in float below 2^13, and for head < 2 below 2^14). rough is the sum in one word,
+   with a relative error below 2^-27 (float 2^-23). early approximates the sum with a relative error below 2^-13 and is
+   ready sooner. */
 typedef struct VM_TAG(vmi_period) {
     vm_real head, middle, low, rough, early;
 } vmi_period;
 
-/* VMI_PERIOD_CUT is the number of last digits of k' that are cut off to make t short. Each of the other numbers rounds
-   a sum by being added to it and subtracted again: VMI_SQUARE_GRID rounds t^2 to a multiple of 2^-21, VMI_SLOPE_GRID
-   c_1 to one of 2^-16, VMI_MIDDLE_GRID the sum of c_1 t, c_2 t^2, ... to one of 2^-36 (float 2^-14), and VMI_HEAD_GRID,
-   in float only, c_0 to one of 2^-9. */
+/* VMI_PERIOD_CUT is the number of last digits of k' that are set to 0 in the head of k'. Each of the other constants
+   rounds a number: the constant is added to the number and subtracted again. VMI_SQUARE_GRID rounds t^2 to a multiple
+   of 2^-21, VMI_SLOPE_GRID c_1 to a multiple of 2^-16, and VMI_MIDDLE_GRID the sum of c_1 t, c_2 t^2, ... to a multiple
+   of 2^-36. In float VMI_MIDDLE_GRID rounds the sum to a multiple of 2^-14, and VMI_HEAD_GRID c_0 to a multiple of
+   2^-9. */
 #if VM_MANT_DIG > 24
 #define VMI_PERIOD_CUT 34
 #define VMI_SQUARE_GRID VM_C(3221225472.0)
@@ -1749,11 +1760,13 @@ typedef struct VM_TAG(vmi_period) {
 
 /* Returns K for 1 - m = m1 + m1_lo, a number in two words, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1.
    The relative error is below 2^-71 (float 2^-36).
-   Method: t is the sum of head, which has at most 14 binary digits (float 10), and a tail. b1, b2, ... are the products
-   of the heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are
-   exact, too. All other terms are so small that one word is enough for them. The variable t has one word and does not
-   contain kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the
-   effect of kp_lo is added as kp_lo times their derivatives with respect to t. */
+   Method: in two words k' is kp + kp_lo. The variable t is kp minus the middle of the piece; t does not contain kp_lo.
+   t is the sum of head, which has at most 14 binary digits (float 10), and kp_tail. The products b1, b2, ... are exact,
+   since their factors have few digits: b1, b2 and b3 are the first words of c_1, c_2 and c_3 times head, head^2 and
+   head^3; b4 is the first word of c_4 times g^2, where g is t^2 with few digits; b5 is c_1 with few digits times
+   kp_tail (float: only b1 and b2). The sums in which K.middle is subtracted are exact, too. All other terms are so
+   small that one word is enough for them. The effect of kp_lo is kp_lo times the derivative of the polynomial; of this
+   derivative, the terms up to those that come from c_5 t^5 (float c_4 t^4) are used. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
@@ -1788,7 +1801,7 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
     const vm_real words = (c0_lo + (c1_lo * head + (c2_lo + c3_lo * head) * hh)) + c4_lo * (g * g);
     const vm_real rest4 = (c4 + c4_lo) * ((tt - g) * (tt + g)), slope45 = tt * t * (4 * c4 + 5 * t * c5);
     const vm_real slope3 = (c3 + c3_lo) * (3 * head * t + kp_tail * kp_tail);
-    const vm_real slope = (c2 + c2_lo) * (head + t) + slope3; /* derivative of the polynomial without its term c_1 */
+    const vm_real slope = (c2 + c2_lo) * (head + t) + slope3; /* (terms of c_2, c_3 at t less those at head)/kp_tail */
     const vm_real rest1 = kp_tail * (c1_rest + slope) + kp_lo * (c1 + slope + slope45);
     K.middle = vmi_rounded(b + VMI_MIDDLE_GRID) - VMI_MIDDLE_GRID;
     K.low = (((((b1 - K.middle) + b2) + b3) + b4) + b5) + (((words + rest4) + t4 * t * p) + rest1);
@@ -1815,39 +1828,43 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 #endif
 /* jacobi/theta.h - Neville's theta functions, from which sn, cn and dn are quotients
 
-   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so on.
-   The four theta functions are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
-   subtraction loses digits, so that each of them has a small relative error. Near 0 (see VMI_NEAR) they come from the
-   Laurent series of cs^2 = (cn/sn)^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a
-   nome that is at most 0.003.
+   There are four theta functions, theta_s, theta_c, theta_d and theta_n. Each of the twelve elliptic functions is a
+   quotient of two theta functions: sn = theta_s/theta_n, and so on. The theta functions are computed for an argument v
+   that was reduced to |v| <= K/2. A factor that all four have in common does not matter, since the factor cancels in
+   every quotient. No subtraction loses digits, so that each theta function has a small relative error.
+   Near 0 (see VMI_NEAR) the theta functions come from the power series of cs^2 = (cn/sn)^2, which begins with 1/v^2 (a
+   Laurent series), and from two duplications. An argument far from 0 occurs only for m near 1 or below about -21. There
+   the theta functions come from series in a nome, which is at most 0.003. The nome of a parameter m is the number
+   exp(-pi K(1 - m)/K(m)).
 
    Source: DLMF 20.2, 20.7, 22.6, 23.9. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_THETA_H
 #define VARMASS_JACOBI_THETA_H
 
-/* The numbers from which the theta functions far from 0 are computed for a parameter m. vmi_far_prepare writes them. */
+/* The numbers from which the theta functions far from 0 are computed for a parameter m. vmi_far_prepare writes these
+   numbers, and its comment explains them. */
 typedef struct VM_TAG(vmi_theta_form) {
-    vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
+    vm_real kp, kp_lo; /* k' = sqrt(1 - m); its low word kp_lo is used in the reciprocal form only */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
-    vm_real defect;    /* 1 - z/v, where v is the argument and z its phase (see vmi_far_prepare) */
-    vm_real f[3], g[2], scale[2]; /* f, g: coefficients of P, Q and of E; scale: factors of theta_s, theta_c */
+    vm_real defect;    /* 1 - z/v, where z is the phase and v is u, or k' u in the reciprocal form */
+    vm_real f[3], g[2], scale[2]; /* coefficients of P and Q, coefficients of E, factors of theta_s and theta_c */
 } vmi_theta_form;
 
-/* The three methods: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta functions with
-   the nome of 1/(1 - m), for m < -20 */
+/* The three methods, in this order: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta
+   functions with the nome of 1/(1 - m), for m below about -21 */
 enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 
-/* The number of terms of a plan's polynomials */
+/* The number of terms of a plan's polynomials, without the constant term */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them, such as
-   sn = s/n. */
+/* The four theta functions theta_s, theta_c, theta_d and theta_n, all multiplied by one common factor. Each elliptic
+   function is a quotient of two of them, such as sn = s/n. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
 
-/* The Laurent series is used if v^2 max(1, 1 - m) is at most this number. For -21.5 < m < 0.955 this holds for all
-   |v| <= K/2. */
+/* The Laurent series is used if v^2 max(1, 1 - m) is at most this number. For -21.5 < m < 0.955 all v with |v| <= K/2
+   satisfy this condition. */
 #define VMI_NEAR VM_C(2.2)
 
 /* Computes the terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., where c_k is proportional to w^(2k), from
@@ -1863,10 +1880,10 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 }
 
 /* Returns the theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two
-   duplications. Only theta.c and the local variable f are computed by subtractions, and both are far from 0. s, c, d
-   and n below are the four theta functions. A duplication leads from w to 2w: if a and b are
-   numbers with b/a = sc^2(w), where sc = sn/cn, then
+   duplications. Only theta.c and the local variables a and f are computed by subtractions; none of them is near 0.
+   A duplication leads from w to 2w. Let sc = sn/cn, and let a and b be numbers with b/a = sc^2(w). Then
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
+   and the four theta functions s, c, d and n of 2w have the ratios
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 {
@@ -1889,7 +1906,7 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 #endif
     a = 1 + ((c[1] + (c[2] + c[3])) + more);
     f = a * a - r * w2;
-    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2; below it is called b/a */
+    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2; the lines below write this as b/a */
     b = 4 * w2 * g;
     s = 4 * r * g;
     a = f * f;
@@ -1902,17 +1919,20 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-/* Prepares the theta functions far from 0. They belong to a small parameter c with the nome q; k is sqrt(1 - c). Their
-   argument i z is imaginary, and z is called the phase.
+/* Prepares the theta functions far from 0. They belong to a small parameter c <= 0.05, whose nome is q; k is
+   sqrt(1 - c). The argument of these theta functions is an imaginary number i z, and z is called the phase.
      For m near 1 (the hyperbolic form), c = 1 - m and z = u agm(1, k).
-     For m < -20 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since sn(u | m) = sd(k' u | m/(m - 1))/k'.
-   In both forms c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
+     For m below about -21 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since
+       sn(u | m) = sd(k' u | m/(m - 1))/k'.
+   Here agm(1, k) is the arithmetic-geometric mean (jacobi/agm.h). theta_s, theta_c, theta_d, theta_n are multiples of
+   the classical theta functions theta_1, theta_4, theta_3, theta_2; in the reciprocal form theta_d and theta_n change
+   places. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ 2 sinh z (P - Q), 2 cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                        E = 1 + (g1 X^2 - g0),  O = 2 X.
-   f0, f1, f2 and g0, g1 are the fields f and g. The terms that are left out are below 1e-18. f contains the constant
-   factor that makes theta_d/theta_n = dn, so that f0 is near 1/2. The factors `scale` of theta_s and theta_c are near
-   1, but in the reciprocal form that of theta_s contains 1/k'. x is the parameter after one step of the
-   arithmetic-geometric mean from 1 and k. */
+   f0, f1, f2 and g0, g1 are the elements of the fields f and g. The terms that are left out are below 1e-18. f contains
+   the constant factor that makes theta_d/theta_n = dn, so that f0 is near 1/2. The factors `scale` belong to theta_s
+   and theta_c. They are near 1, but in the reciprocal form the factor of theta_s contains 1/k'. The variable x is the
+   parameter that one step of the arithmetic-geometric mean from 1 and k makes of c. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -1941,21 +1961,21 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     if (m1 > 1) t->scale[0] = (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi;
 }
 
-/* For m = 1 a larger argument is replaced by this number, since tanh then rounds to 1 and 1/cosh to 0. It is below
-   2 VMI_BIAS ln 2, as vmi_far_exponentials needs it. */
+/* For m = 1 this number replaces every larger argument, for which tanh rounds to 1 and 1/cosh to 0. The number is below
+   2 VMI_BIAS ln 2, a condition of vmi_far_exponentials. */
 #define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(170.0))
 
-/* What vmi_far_exponentials computes for a number z, where n is the whole number nearest to z/ln 2:
+/* The result of vmi_far_exponentials for a number z. With the whole number n that is nearest to z/ln 2, the fields are
    sine = 2^(1-n) sinh z, cosine = 2^(1-n) cosh z, power = 2^-n, and lift = 2^n. */
 typedef struct VM_TAG(vmi_exponentials) {
     vm_real sine, cosine, power, lift;
 } vmi_exponentials;
 
 /* Returns the four numbers of vmi_exponentials for the argument z + z_lo, where 0 <= z <= VMI_LONGEST and |z_lo| is at
-   most an ulp of z. The relative errors are at most 1.3 ulp. The field `lift`, which is 2^n, is wrong for n > VMI_BIAS,
-   where 2^n overflows. Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in
-   r^2 give,
-     sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),  cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)).  */
+   most an ulp of z. The relative errors are at most 1.3 ulp. The field `lift` is wrong for n > VMI_BIAS, where 2^n
+   overflows. Method: z = n ln 2 + r with |r| < 0.35. Polynomials in r^2 give S = sinh r and C = cosh r - 1. Then
+     sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),
+     cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)). */
 VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -1992,8 +2012,9 @@ VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
     return e;
 }
 
-/* Returns the theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by a power of two,
-   2^-n with the n of vmi_exponentials, so that they do not overflow. */
+/* Returns the theta functions far from 0, for |argument| <= VMI_LONGEST. In the reciprocal form the argument is k'
+   times that of the elliptic functions. All four theta functions are multiplied by the power of two 2^-n, with the n of
+   vmi_exponentials, so that they do not overflow. */
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
@@ -2030,9 +2051,10 @@ VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_l
     return vmi_theta_far(&t, m1 > 1, v);
 }
 
-/* Returns the theta functions at an argument that is larger by `quarters` quarter periods. One quarter period turns s,
-   c, d, n into c, -k' s, k' n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
-   branch, which would be mispredicted half the time. */
+/* Returns the theta functions at an argument that is larger by `quarters` quarter periods; only the last two bits of
+   `quarters` are used. One quarter period turns s, c, d, n into c, -k' s, k' n, d. Two quarter periods change the signs
+   of s and c; a common factor is left out. Products with 0, 1 and -1 replace a branch, which the processor would
+   predict wrongly half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
     const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
@@ -2047,7 +2069,8 @@ VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quar
     return shifted;
 }
 
-/* Computes sn, cn and dn from the theta functions. dn is kept between 1 and `bound`. */
+/* Computes sn, cn and dn as quotients of the theta functions. A dn that is not between 1 and `bound` is replaced by the
+   nearer of these two numbers. */
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real low = vmi_smaller(bound, 1), high = vmi_larger(bound, 1), per_n = 1 / theta.n;
@@ -2061,22 +2084,24 @@ VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm
 
    The argument is written as u = j K + v, where K is the quarter period, j a whole number and |v| at most K/2 apart
    from rounding. v needs a small relative error, because next to a zero of sn the value of sn is nearly v or -v. The
-   closer u is to a multiple of K, the more digits of K are needed. Therefore K is used in four forms: from a
-   table (m between -1.25 and 0.97), as one word with corrections, in two words, or in three words.
+   closer u is to a multiple of K, the more digits of K are needed. Therefore K is used in four forms: from a table (for
+   m between -1.25 and 0.97), in one word with corrections, in two words, or in three words. A word is one vm_real.
 
    Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_REDUCTION_H
 #define VARMASS_JACOBI_REDUCTION_H
 
-/* The product of a piece of K (see vmi_pieces) and a whole number below this limit, 2^30 (float 2^13), is exact. */
+/* The limit 2^30 (float 2^13). The product of a piece of K (see vmi_pieces) and a whole number below this limit is
+   exact. */
 #define VMI_EXACT_QUARTERS (VM_MANT_DIG > 24 ? VM_C(1073741824.0) : VM_C(8192.0))
 
 /* The number of parts of K that vmi_pieces writes into an array */
 enum { VMI_PIECES = 5 };
 
-/* Writes K to `piece` as a sum of three short numbers, the pieces, and two words. The pieces are so short that their
-   products with a whole number below VMI_EXACT_QUARTERS are exact: they are multiples of 2^(e-21), 2^(e-44) and
-   2^(e-67), where 2^e <= K < 2^(e+1) (float 2^(e-9), 2^(e-20), 2^(e-31)). */
+/* Writes K to the array `piece` as a sum of five numbers. The first three are called the pieces. They have few digits:
+   they are multiples of 2^(e-21), 2^(e-44) and 2^(e-67) (float 2^(e-9), 2^(e-20) and 2^(e-31)), where
+   2^e <= K < 2^(e+1). Their products with a whole number below VMI_EXACT_QUARTERS are therefore exact. The last two
+   numbers are the first two words of the rest. */
 VM_API void vmi_pieces(vmi_three K, vm_real *piece)
 {
     const vmi_bits exponent = vmi_to_bits(K.hi) & ~(((vmi_bits)1 << VMI_STORED_DIG) - 1);
@@ -2092,29 +2117,30 @@ VM_API void vmi_pieces(vmi_three K, vm_real *piece)
     piece[4] = K.mid;
 }
 
-/* vmi_reduce_pieces is not accurate enough where the distance of u from a multiple of K is below this number times
-   u. */
+/* The function vmi_reduce_pieces is not accurate enough where the distance of u from the nearest multiple of K is below
+   this number times u. */
 #define VMI_PIECES_REACH (VM_MANT_DIG > 24 ? VM_C(5.4e-20) : VM_C(4.7e-10))
 
 /* Returns u minus the nearest multiple j K, as three terms, for 0 <= u < VMI_EXACT_QUARTERS K. The array K comes from
    vmi_pieces, and per_K is 1/K. *quarters becomes a number whose last two bits are j modulo 4. The product of j and
-   K[3] is rounded, and K[4] is not used: the error is therefore u eps^2/1000 or less. A result below VMI_PIECES_REACH
-   times u is not accurate enough and must be computed by vmi_reduce_finely. Loops over this function can be
-   vectorised. */
+   K[3] is rounded, and K[4] is not used: the error is therefore u eps^2/1000 or less. Where the result is below
+   VMI_PIECES_REACH times u, it is not accurate enough, and vmi_reduce_finely must be used instead. Loops over this
+   function can be vectorised. */
 VM_INLINE vmi_three vmi_reduce_pieces(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vm_real shifted = vmi_rounded(u * per_K + 1 / VM_EPSILON), j = shifted - 1 / VM_EPSILON;
     vmi_three rest;
-    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: the result is below K and a multiple of eps K/2 */
+    rest.hi = (u - j * K[0]) - j * K[1]; /* exact: a multiple of eps 2^e/2, at most about 2^e (see vmi_pieces) */
     rest.mid = -j * K[2];
     rest.lo = -j * K[3];
     *quarters = vmi_to_bits(shifted); /* the last bits of `shifted` are those of j */
     return rest;
 }
 
-/* Returns u minus the nearest multiple j K in two words, as vmi_reduce_pieces does, but uses all elements of the array
-   K. The relative error is below eps for every result above 2^-90 u (float 2^-44 u). The distance of u from j K must be
-   less than 1e-9 u (float 8e-6 u): then the products and differences with the three pieces are exact. */
+/* Returns u minus the nearest multiple j K in two words. The arguments are those of vmi_reduce_pieces, but all elements
+   of the array K are used. The distance of u from j K must be less than 1e-9 u (float 8e-6 u): then the products and
+   differences with the three pieces are exact. The relative error is below eps for every result above 2^-90 u
+   (float 2^-44 u). */
 VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_bits *quarters)
 {
     const vmi_three rest = vmi_reduce_pieces(u, K, per_K, quarters);
@@ -2123,17 +2149,19 @@ VM_API vm_two vmi_reduce_finely(vm_real u, const vm_real *K, vm_real per_K, vmi_
     return vmi_two_sum(sum.hi, sum.lo - (product.lo + j * K[4]));
 }
 
-/* If this constant is added to a number below 6 and then subtracted again, rounding makes the number a multiple of
-   2^-23 (float 2^-8). */
+/* Rounds a number below 6 to a multiple of 2^-23 (float 2^-8): if this constant is added to the number and then
+   subtracted again, the sum is rounded to such a multiple. */
 #define VMI_REDUCTION_GRID (VM_MANT_DIG > 24 ? VM_C(805306368.0) : VM_C(49152.0))
 
-/* Returns u minus a multiple j K, for 0 < u < 2.5 K, where VMI_MIDDLE(m1) must be 1; kp is k'. *quarters becomes a
-   number whose last two bits are j modulo 4. The relative error of the result is at most about eps. A result below u/64
-   would lose digits: then the function returns NaN, and u must be reduced by vmi_reduce_long.
-   Method: K (1 + f)^2 = 2 pi (1 + x S) with f^2 = k', where x S is small (vmi_K). So a multiple of 2 pi (1 + x S) is
-   subtracted from the phase u (1 + f)^2. The first halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float
-   2^-8, 2^-9), so that the squares of these heads, the number (1 + f)^2 formed from them, and its product with the head
-   of u are exact. */
+/* Returns u minus the nearest multiple j K for u > 0, where VMI_MIDDLE(m1) must be 1; kp is k'. *quarters becomes a
+   number whose last two bits are j modulo 4. The relative error of the result is at most about eps. The function
+   returns NaN, and u must be reduced by vmi_reduce_long, in two cases: where u is 2.5 K or more, and where the result
+   is below u/64 and would lose digits.
+   Method: K (1 + f)^2 = 2 pi (1 + x S) with f^2 = k', where x S is small (vmi_K). The number u (1 + f)^2 is called the
+   phase; a multiple of 2 pi (1 + x S) is subtracted from the phase, and the rest is divided by (1 + f)^2. The first
+   halves (heads) of k' and f are multiples of 2^-23 and 2^-24 (float 2^-8 and 2^-9). Therefore the squares of these
+   heads, the number (1 + f)^2 that is formed from the heads, and the product of this number and the head of u are
+   exact. */
 VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2147,7 +2175,7 @@ VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
     const vm_real u_head = vmi_head(u), phase = u_head * rate_head;
     const vm_real phase_lo = (u - u_head) * rate_head + u * rate_tail;
     const int second = phase > 6 * half_pi.hi; /* 0 or 1; it replaces a branch, which would often be mispredicted */
-    const vm_real j = (vm_real)(4 + 4 * second);
+    const vm_real j = (vm_real)(4 + 4 * second); /* 4 times the j above, since 2 pi is 4 times pi/2 */
     const vm_real rest = (phase - j * half_pi.hi) + ((phase_lo - j * half_pi.mid) - j * half_pi.hi * x * S);
     *quarters = 0;
     if (phase < 2 * half_pi.hi) return u;
@@ -2158,7 +2186,7 @@ VMI_APART vm_real vmi_reduce_short(vm_real u, vm_real m1, vm_real m1_lo, vm_real
 
 /* Returns u minus the nearest multiple j K in two words, for any u > 0 and m1 > 0. *quarters becomes a number whose
    last two bits are j modulo 4. K is used in two words, or in three if u is below 128 K and next to a multiple of K.
-   Where u is so large that no digit of the phase is left, the result is 0. */
+   From u = K/eps on, the digits of u do not determine the result; then the result is 0. */
 VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits *quarters)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2175,8 +2203,7 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
     phase = vmi_two_product(u, rate.hi);
     whole = vmi_two_product(j, half_pi.hi);
     rest = vmi_two_sum(phase.hi - whole.hi, (phase.lo - whole.lo) + (u * rate.lo - j * half_pi.mid));
-    if (VM_FABS(rest.hi) > VM_C(0.501) * half_pi.hi) { /* for u > K/(1000 eps), where the rounding of count changes
-                                                          j */
+    if (VM_FABS(rest.hi) > VM_C(0.501) * half_pi.hi) { /* for u > K/(1000 eps): rounding of `count` changed j */
         const vm_real further = VM_FLOOR(rest.hi / half_pi.hi + VM_C(0.5));
         rest = vmi_two_sum(rest.hi - further * half_pi.hi, rest.lo - further * half_pi.mid);
         *quarters += (vmi_bits)(further + 4);
@@ -2192,14 +2219,16 @@ VMI_APART vm_two vmi_reduce_long(vm_real u, vm_real m1, vm_real m1_lo, vmi_bits 
     return vmi_fast_two_sum(v, (((rest.hi - error.hi) - error.lo) + (rest.lo - v * rate.lo)) / rate.hi);
 }
 
-/* The largest argument that vmi_reduce_by_table reduces: then j is below 2^20 (float 2^13). */
+/* The limit of the arguments that vmi_reduce_by_table reduces. Below this limit j is less than 2^20 (float 8700), since
+   K is above 1.26. */
 #define VMI_TABLE_REACH (VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(11000.0))
 
-/* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and a k' = kp for which VMI_IN_PERIOD_TABLE is
-   1. *quarters becomes a number whose last two bits are j modulo 4. K has a relative error below 2^-71 (float 2^-36),
-   so that the result is within half an ulp plus 2^-71 u (float 2^-36 u) of the exact difference. Where this error is
-   too large, next to a multiple of K, the result is NaN, and u must be reduced by vmi_reduce_long. For j >= 128 the
-   result is never NaN, since there only its absolute error is important. */
+/* Returns u minus the nearest multiple j K, for 0 <= u < VMI_TABLE_REACH and for a k' = kp for which
+   VMI_IN_PERIOD_TABLE is 1. *quarters becomes a number whose last two bits are j modulo 4. K has a relative error below
+   2^-71 (float 2^-36), so that the result is within half an ulp plus 2^-71 u (float 2^-36 u) of the exact difference.
+   Next to a multiple of K this error is too large: for j < 128 the result is then NaN, and u must be reduced by
+   vmi_reduce_long. For j >= 128 the result is never NaN, since for such j only the absolute error of the result is
+   important. */
 VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vmi_bits *quarters)
 {
     const vm_real closest = VM_MANT_DIG > 24 ? VM_C(1048576.0) : VM_C(1024.0);
@@ -2214,9 +2243,10 @@ VMI_APART vm_real vmi_reduce_by_table(vm_real u, vm_real m1, vm_real m1_lo, vm_r
     return rest;
 }
 
-/* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. *v_lo
-   becomes the low word of the result, and *quarters a number whose last two bits are j modulo 4. kp is k'. reach is
-   about (2u/K)^2; if reach is below 30, u < 2.5 K. */
+/* Returns u >= 0 minus the nearest multiple j K, or NaN if u or m1 is outside the domain of jacobi_sncndn. For m = 1,
+   where there is no period, the result is the smaller of u and VMI_LONGEST. *v_lo becomes the low word of the result,
+   and *quarters a number whose last two bits are j modulo 4. kp is k'. The argument reach must be about (2u/K)^2, as
+   vmi_thetas_of computes it: for reach < 30, u is below 3 K, and vmi_reduce_short is tried. */
 VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, vm_real reach, vm_real *v_lo,
                               vmi_bits *quarters)
 {
@@ -2243,29 +2273,30 @@ VM_INLINE vm_real vmi_reduced(vm_real u, vm_real m1, vm_real m1_lo, vm_real kp, 
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
    This file has Jacobi's functions sn(u | m), cn(u | m) and dn(u | m) for every real argument u and every parameter
-   m = k^2 <= 1, also for negative m. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of
-   oscillators with cubic springs and of bodies that rotate without torque. For many u and one m use a plan
-   (jacobi/plans.h).
+   m = k^2 <= 1, also for negative m. sn and cn have the period 4 K(m), dn has the period 2 K(m), where the quarter
+   period K(m) is an integral (jacobi/integrals.h). The functions describe the motions of oscillators with cubic springs
+   and of bodies that rotate without torque. For many u and one m use a plan (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
 
-   Method: a multiple of K is subtracted from u, so that the rest v has |v| <= K/2. For v near 0 a series is used
-   (vmi_theta_near), for v far from 0 theta functions (vmi_theta_far). Equations: DLMF 22. Tests:
-   tests/test_jacobi.c. */
+   Method: a multiple of K is subtracted from u, so that the rest v has |v| <= K/2. Four theta functions of v are
+   computed, and sn, cn and dn are quotients of them (jacobi/theta.h). For v near 0 the theta functions come from a
+   series of (cn/sn)^2 (vmi_theta_near), for v far from 0 from series of their own (vmi_theta_far). Equations: DLMF 22.
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
-/* Returns the theta functions of u for 1 - m = m1 + m1_lo, a number in two words. Each has a small relative error, or
-   is NaN outside the domain of jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes
-   neither K nor k'. */
+/* Returns the theta functions of u for 1 - m = m1 + m1_lo, a number in two words. Each theta function has a small
+   relative error, or is NaN outside the domain of jacobi_sncndn. *bound becomes a number for which dn(u | m) lies
+   between 1 and *bound. For a small |u| the function computes neither K nor k'. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
-    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), and therefore between 1 and m1 */
+    *bound = m1; /* dn lies between 1 and k' = sqrt(m1), and therefore also between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
     v = vmi_reduced(VM_FABS(u), m1, m1_lo, *bound, reach, &v_lo, &quarters);
@@ -2282,14 +2313,15 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* more accurate than the product of theta.c and 1/theta.n */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* more accurate than the product theta.c (1/theta.n) */
 }
 
-/* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies
-   between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 9 ulp for
-   |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
-   The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
-   infinite u. docs/cost.md has the time of a call. DLMF 22. */
+/* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, and dn
+   lies between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 9 ulp for
+   |u| <= 100 K, next to the zeros too. The absolute error is at most 4 eps times the function's largest value for
+   |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). The results are NaN for m > 1 and for infinite arguments, with
+   one exception: for m = 1, sn = tanh u and cn = dn = 1/cosh u, also for infinite u. docs/cost.md has the time of a
+   call. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -2297,8 +2329,8 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
 }
 
 /* sn, cn and dn for the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_sncndn. Use it for m close to 1, where the difference 1 - m would lose
-   digits. */
+   Domain and accuracy are those of jacobi_sncndn. Use jacobi_sncndn_m1 for m close to 1, where the difference 1 - m
+   would lose digits. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_sncndn(u, m1 + 0, 0, sn, cn, dn); /* m1 + 0 turns -0 into 0 */
@@ -2313,8 +2345,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* Returns the elliptic function whose name has the letters p and q, such as cd: it is the quotient theta_p/theta_q. For
-   m = 1 both theta functions may underflow to the same number: then the quotient is 1. */
+/* Returns the elliptic function whose name consists of the letters p and q, such as cd. This function is the quotient
+   theta_p/theta_q. For m = 1 both theta functions may underflow to 0; where they are equal, the result is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;
@@ -2403,10 +2435,10 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 #ifndef VARMASS_JACOBI_AMPLITUDE_H
 #define VARMASS_JACOBI_AMPLITUDE_H
 
-/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. am is odd, continuous and rising
-   (apart from errors of 4 ulp), and am(u + 2K) = am(u) + pi. The error is at most 8 ulp for |u| <= 100 K. Returns NaN
-   for m > 1 and for infinite arguments. Method: am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to
-   u. */
+/* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. The amplitude is odd, continuous
+   and rising (apart from errors of 4 ulp), and am(u + 2K) = am(u) + pi. The error is at most 8 ulp for |u| <= 100 K.
+   Returns NaN for m > 1 and for infinite arguments, but for m = 1 and an infinite u the limit, pi/2 or -pi/2. Method:
+   am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -2458,9 +2490,9 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
    A plan contains all numbers that depend only on m: the quarter period as a sum of numbers with few digits, and
-   polynomials that replace the series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the
-   compiler vectorises the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a
-   constant in flash.
+   polynomials that replace the series of jacobi_sncndn or, for m near 1 or below about -21, the coefficients of the
+   theta functions (jacobi/theta.h). A call with a plan is faster, most of all for arrays, where the compiler vectorises
+   the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -2472,14 +2504,14 @@ VM_API void vmi_remove_highest(vm_real *c, int n, int lowest)
 
 #include <string.h>
 
-/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that the method does not use
-   are 0. */
+/* A plan for one parameter m, prepared by jacobi_plan_init. The field `form` tells which method is used for this m;
+   fields that the method does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
+    int form;            /* the method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
-    vm_real K[VMI_PIECES], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
+    vm_real K[VMI_PIECES], per_K; /* K as a sum, see vmi_pieces, and 1/K; for m = 1 both are 0 */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, for the reduced argument v */
-    vmi_theta_form theta;               /* its field kp = k' is set for every method */
+    vmi_theta_form theta;               /* its field kp, which is k', is set for every method */
 } jacobi_plan;
 
 /* Returns the polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c. */
@@ -2500,16 +2532,17 @@ enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
 
 /* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by a polynomial of degree VMI_TERMS
    that is close to it for 0 <= t <= 1. Each step removes the highest power: it subtracts a multiple of Chebyshev's
-   polynomial of the same degree. */
+   polynomial of the same degree. The constant coefficient stays 1. */
 VM_API void vmi_shorten(vm_real *c)
 {
     int n;
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes p->a and p->b, the coefficients of two power series in v^2 for |v| <= longest. With cs = cn/sn and w = v/2,
-   p->a belongs to w^2 cs^2(w), and p->b to -w^4 d(cs^2)/d(w^2). The constant coefficients of both are 1 and are not
-   stored. */
+/* Computes p->a and p->b, the coefficients of two polynomials in v^2 for |v| <= longest. Let cs = cn/sn and w = v/2.
+   The polynomial with the coefficients p->a approximates w^2 cs^2(w). The polynomial with p->b approximates -w^4 times
+   the derivative of cs^2(w) with respect to w^2. Both are made from power series (vmi_laurent). Their constant
+   coefficients are 1 and are not stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -2532,7 +2565,7 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 }
 
 /* Prepares a plan for 1 - m = m1 + m1_lo, a number in two words. Returns 0, or -1 where no elliptic function has this
-   parameter. */
+   parameter; the plan then stays as it was. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -2557,8 +2590,8 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
     return 0;
 }
 
-/* Prepares a plan for the parameter m = k^2 <= 1. Returns 0, or -1 for m > 1, NaN and infinite m, where the plan
-   stays as it was. */
+/* Prepares a plan for the parameter m = k^2 <= 1. Returns 0. For m > 1, NaN and infinite m the result is -1, and the
+   plan stays as it was. */
 VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -2566,13 +2599,14 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 }
 
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
-   Domain and result are those of jacobi_plan_init. Use it for m close to 1, where the difference 1 - m would lose
-   digits. */
+   Domain and result are those of jacobi_plan_init. Use jacobi_plan_init_m1 for m close to 1, where the difference 1 - m
+   would lose digits. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* -0 + 0 is 0 */
 
-/* Returns the theta functions near 0. They are computed from the plan's two polynomials at w = v/2 and by one
-   duplication, which leads from w to v (compare vmi_theta_near). theta_s is v times the polynomial p->b, since
-   d(sc^2)/dw = 2 sc nc dc. */
+/* Returns the theta functions of v, computed from the plan's two polynomials at w = v/2 and by one duplication, which
+   leads from w to v (compare vmi_theta_near). The variables a and b are w^2 cs^2(w) and w^2, so that b/a = sc^2(w).
+   theta.s is v times the polynomial with the coefficients p->b, since the derivative of cs^2(w) with respect to w is
+   -2 cs ns ds. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -2584,8 +2618,8 @@ VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
     return theta;
 }
 
-/* Computes sn, cn and dn at one u, where |u| = j K + rest. `quarters` stands for the integer j: only its last two bits
-   are used, which are j modulo 4. There is no branch if the compiler knows the form. */
+/* Computes sn, cn and dn at one u, where |u| = j K + rest with an integer j. Of the number `quarters` only the last two
+   bits are used; they are j modulo 4. If the compiler knows the form, the code has no branch. */
 VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -2598,7 +2632,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is lost in v.hi, but not in v.lo */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* removes a NaN, but then v.lo is NaN, too */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -2606,8 +2640,9 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Returns u minus the nearest multiple j K, for a u that is too large for vmi_reduce_pieces. *quarters becomes a number
-   whose last two bits are j modulo 4. For m = 1 the function returns the smaller of u and VMI_LONGEST. */
+/* Returns u minus the nearest multiple j K, for a u >= 0 that is too large for vmi_reduce_pieces, infinite or NaN.
+   *quarters becomes a number whose last two bits are j modulo 4. For an infinite u the result is NaN, except for m = 1,
+   where there is no period: then the function returns the smaller of u and VMI_LONGEST. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
@@ -2624,8 +2659,8 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
     return vmi_three_words(v.hi, v.lo, 0);
 }
 
-/* Returns 1 if `rest`, which is u minus a multiple of K by vmi_reduce_pieces, is so small that more digits of K are
-   needed, else 0. */
+/* Returns 1 if more digits of K are needed because `rest` is so small, else 0. The number `rest` is u minus a multiple
+   of K, as vmi_reduce_pieces computes this difference. */
 VM_INLINE int vmi_plan_is_close(vm_real rest, vm_real u) { return VM_FABS(rest) < VMI_PIECES_REACH * u; }
 
 /* sn, cn and dn of the argument u for the plan's parameter.
@@ -2648,7 +2683,7 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
         return;
     }
     vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
-    if (*sn == 0) { /* then cn is exactly 1 or -1, and dn is 1 */
+    if (*sn == 0) { /* where sn is 0, cn is exactly 1 or -1, and dn is 1 */
         *cn = VM_COPYSIGN((vm_real)1, *cn);
         *dn = 1;
     }
@@ -2667,14 +2702,14 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
     }
     if (form == VMI_NEAR_FORM) return;
     for (i = 0; i < n; i++)
-        if (sn[i] == 0) { /* then cn is exactly 1 or -1, and dn is 1 */
+        if (sn[i] == 0) { /* where sn is 0, cn is exactly 1 or -1, and dn is 1 */
             cn[i] = VM_COPYSIGN((vm_real)1, cn[i]);
             dn[i] = 1;
         }
 }
 
-/* Computes the results next to a zero of sn or cn once more, one by one, with more digits of K. There the size of sn is
-   about the distance |u - j K| from the zero, and that of cn about k' times this distance. */
+/* Computes those results again that are next to a zero of sn or cn, one by one and with more digits of K. Next to a
+   zero j K, the size of sn is about the distance |u - j K|, and the size of cn is about k' times this distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;
@@ -2689,13 +2724,13 @@ VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, v
 }
 
 /* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
-   and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
+   and must overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
    multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time of a
    call. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
-    const jacobi_plan local = *p; /* the compiler can see that the arrays do not overlap this copy */
+    const jacobi_plan local = *p; /* the compiler knows that no array overlaps this copy */
     int i, any_far = 0;
     for (i = 0; i < n; i++) any_far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
     if (any_far) {
@@ -2711,9 +2746,9 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 #endif
 /* jacobi/modulus.h - the parameter m for a given quarter period
 
-   The functions solve K(m) = c and k' K(m) = c for m. The second equation is (307), which gives the Jacobi function
-   whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0. The nome of
-   a parameter m is q = exp(-pi K(1 - m)/K(m)).
+   The functions solve K(m) = c and k' K(m) = c for m, where K(m) is the quarter period and k' = sqrt(1 - m). The second
+   equation is (307); its solution belongs to the Jacobi function whose period is that of a strongly nonlinear
+   oscillator. Each equation has one solution for every c > 0. The nome of a parameter m is q = exp(-pi K(1 - m)/K(m)).
 
        vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
 
@@ -2722,9 +2757,9 @@ VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real 
 #ifndef VARMASS_JACOBI_MODULUS_H
 #define VARMASS_JACOBI_MODULUS_H
 
-/* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R is the parameter with the nome q, and
-   R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. No digits are lost for small q. Method: for the number
-   b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3 the quotient (1 - b)/q is
+/* Returns (1 - R)/q for |q| <= 0.1 without loss of digits for small q. The number R is defined by m = 16 q R, where m
+   is the parameter with the nome q; with theta functions R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. Method: for the
+   number b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3 the quotient (1 - b)/q is
    (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
 {
@@ -2740,9 +2775,9 @@ typedef struct VM_TAG(vmi_solution) {
     vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
-/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of the m that solves k'
-   K = c, and -q is the nome of the m that solves K = c. The method solves the series q - q^4 + q^9 = (1 - theta_4(q))/2
-   for q. */
+/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). The parameter whose nome is q solves
+   k' K = c, and the parameter whose nome is -q solves K = c. The method solves q - q^4 + q^9 = (1 - theta_4(q))/2 for q
+   by a fixed-point iteration. */
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -2755,12 +2790,12 @@ VM_API vm_real vmi_solve_middle(vm_real c)
     return q;
 }
 
-/* After a step of Newton's method that is shorter than this number, the error is below eps. */
+/* Newton's method ends with the first step that is not longer than this number, since the error is then below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
 /* Finds s->L = -ln q for c >= K(1/2) from L theta_3(q)^2/2 = c. The left side is K(m) if q is the nome of 1 - m, and k'
-   K(m) if q is the nome of 1/(1 - m). The unknown of Newton's method is lambda = 2c - L = 2c (1 - theta_3^-2), between
-   0 and 0.57. The method starts at lambda = 0 and needs at most seven steps. */
+   K(m) if q is the nome of 1/(1 - m). The unknown of Newton's method is lambda = 2c - L = 2c (1 - theta_3^-2), which
+   lies between 0 and 0.57. The method starts at lambda = 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -2777,7 +2812,7 @@ VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
     s->L_lo = L.lo;
 }
 
-/* Returns ln(1 + x) for 0 <= x < 0.0019, by its series. */
+/* Returns ln(1 + x) for 0 <= x < 0.0019, by the power series of the logarithm. */
 VM_API vm_real vmi_small_log(vm_real x)
 {
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
@@ -2808,9 +2843,9 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. One method is
-   enough for both equations, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows
-   (in float for much smaller c too), so that every such c gives the result of c = 1000. */
+/* Returns the solution m of K(m) = c if inverse_of_K is 1, and of k' K(m) = c if inverse_of_K is 0, for c > 0. One
+   method is enough for both equations, since k' K(m) is K(m/(m - 1)). For c > 1000 the result is that of c = 1000:
+   there 1 - m underflows to 0 or overflows (in float for much smaller c too). */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */
@@ -2830,7 +2865,7 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exp(ln 16 - L) and exp(L - ln 16), since q may
+/* Returns 1 - m of the solution. 16 q is computed as exp(ln 16 - L), and 1/(16 q) as exp(L - ln 16), since q may
    underflow where 16 q does not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {
@@ -2910,9 +2945,9 @@ VM_API vm_real jacobi_solve_K(vm_real c)
 #ifndef VARMASS_JACOBI_MEANS_H
 #define VARMASS_JACOBI_MEANS_H
 
-/* Computes the means C2, C4, C6 of cn^2, cn^4, cn^6 from the nome q of m, for |q| <= 0.1. The recurrences (384) and
-   (408) would divide 0 by 0 at m = 0. Here numerators and denominators are divided by m beforehand, by means of two
-   power series S and R in q, for which 1/2 - C2 = q S and m = 16 q R. */
+/* Computes the means C2, C4, C6 of cn^2, cn^4, cn^6 from the nome q of m, for |q| <= 0.1. At m = 0 the recurrences
+   (384) and (408) would divide 0 by 0. Here all numerators and denominators were divided by m beforehand. For this
+   purpose 1/2 - C2 and m are written as q S and 16 q R, where S and R are power series in q. */
 VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_real y = q * q, loss = vmi_theta_loss(q), R = 1 - q * loss;
@@ -2926,8 +2961,8 @@ VM_API void vmi_means_from_nome(vm_real q, vm_real *C2, vm_real *C4, vm_real *C6
     *C6 = ((7 * delta - 8 * eta) / 3 + 8 * *C4 - VM_C(1.5) + 3 * d) / 5;
 }
 
-/* Returns C2 by (383) from K and E, for 1 - m = c <= 1/2 and l = ln(4/k'): C2 = (E/K - c)/m. E/K is computed in two
-   words, because for m near 4/5 an error of C2 is doubled in the mean of sn^6. */
+/* Returns the mean C2 of cn^2 by (383), C2 = (E/K - c)/m, where c = 1 - m <= 1/2 and l = ln(4/k'). E/K is computed in
+   two words: near m = 4/5 the mean of sn^6, which is made from C2, has twice the error of C2. */
 VM_API vm_real vmi_mean_from_K(vm_real c, vm_two l)
 {
     const vm_two K = vmi_K_by_log(c, l);
@@ -2939,8 +2974,9 @@ VM_API vm_real vmi_mean_from_K(vm_real c, vm_two l)
 
 /* Means of cn^2, cn^4 and cn^6 over a period, for the parameter m <= 1. The errors are at most 8 ulp. The means are 0
    for m = 1, where the period is infinite, and NaN for m > 1 and infinite m. Equations (383), (384), (408).
-   Outside -4 <= m <= 1/2 the recurrences (384) and (408) are solved for the means of sn^2 cn^2 and sn^2 cn^4. These two
-   are small, and C4 and C6 follow by subtracting them from C2, so that rounding errors stay small. */
+   Method: for -4 <= m <= 1/2 the means come from the nome of m. For any other m the recurrences (384) and (408) are
+   solved for the means of sn^2 cn^2 and sn^2 cn^4. These two are small, and C4 and C6 follow by subtracting them from
+   C2, so that rounding errors stay small. */
 VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -2953,10 +2989,10 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
         const vm_real e = m / (2 * (1 + root) * ((1 + fourth) * (1 + fourth))), e4 = vmi_fourth_power(e);
         vmi_means_from_nome(e * (1 + e4 * (2 + e4 * (15 + e4 * (150 + e4 * (1707 + e4 * 20910))))), C2, C4, C6);
     } else {
-        /* For m < 0, cn(u | m) = cd(k' u | m/(m - 1)) with k' = sqrt(1 - m). The mean of a power of cd is the mean of
-           this power of sn. The mean of sn^2 is 1 - C2. */
+        /* For m < 0, cn(u | m) = cd(k' u | M) with M = m/(m - 1) and k' = sqrt(1 - m). The mean of a power of cd is the
+           mean of the same power of sn. The mean of sn^2 is 1 minus the mean of cn^2. */
         const vm_real second = vmi_mean_from_K(vmi_smaller(m1.hi, 1 / m1.hi), vmi_log_4(m1.hi, m1.lo));
-        vm_real ratio = m1.hi / m, s2c2, s2c4, fourth; /* ratio is (1 - M)/M for M = m or, if m < 0, M = m/(m - 1) */
+        vm_real ratio = m1.hi / m, s2c2, s2c4, fourth; /* ratio is (1 - M)/M; M is m or, if m < 0, m/(m - 1) */
         if (m < 0) ratio = -1 / m;
         s2c2 = (second - ratio * (1 - 2 * second)) / 3;
         fourth = second - s2c2;
@@ -2975,8 +3011,8 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 #endif
 /* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean
 
-   In this classical method the accuracy is chosen by the number of steps. It serves for comparison and teaching:
-   jacobi_sncndn is faster and more accurate.
+   In this classical method the caller chooses the accuracy by the number of steps. The method serves for comparison and
+   teaching: jacobi_sncndn is faster and more accurate.
 
        vm_real sn, cn, dn;
        jacobi_agm_sncndn(VM_C(1.2), VM_C(0.3), 3, &sn, &cn, &dn); // with three steps
@@ -2985,9 +3021,9 @@ VM_API void jacobi_cn_means(vm_real m, vm_real *C2, vm_real *C4, vm_real *C6)
 #ifndef VARMASS_JACOBI_DESCENDING_H
 #define VARMASS_JACOBI_DESCENDING_H
 
-/* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
-   cosine of the phase a_n u. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. With a = a_n, b = b_n and
-   a+ = a_(n+1) the step back from n + 1 to n replaces
+/* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation. At the last step n the sine
+   and cosine of the phase a_n u are known. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. With a = a_n,
+   b = b_n and a+ = a_(n+1) the step back from n + 1 to n replaces
      s by (a/a+) s q,  c by c d,  d by c^2 + (b/a+) s^2,  q by c^2 + (a/a+) s^2.
    No subtraction occurs, not even for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
@@ -3005,11 +3041,11 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* sn, cn and dn of u by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
-   cost less and are less accurate. With steps >= 15 the function makes as many steps as the type needs; the error is
-   then at most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase
-   a_n u, with the last arithmetic mean a_n, is reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results
-   are NaN for m >= 1 and for infinite arguments. */
+/* sn, cn and dn of u by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps cost less and
+   are less accurate; at least one step is made. With steps >= 15 the function makes as many steps as the type needs;
+   the error is then at most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the
+   function rounds the phase a_n u, where a_n is the last arithmetic mean, and reduces a_n u by pi/2; jacobi_sncndn
+   reduces u itself by K. The results are NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();

@@ -1,7 +1,7 @@
 /* jacobi/descending.h - sn, cn, dn and K by the arithmetic-geometric mean
 
-   In this classical method the accuracy is chosen by the number of steps. It serves for comparison and teaching:
-   jacobi_sncndn is faster and more accurate.
+   In this classical method the caller chooses the accuracy by the number of steps. The method serves for comparison and
+   teaching: jacobi_sncndn is faster and more accurate.
 
        vm_real sn, cn, dn;
        jacobi_agm_sncndn(VM_C(1.2), VM_C(0.3), 3, &sn, &cn, &dn); // with three steps
@@ -16,9 +16,9 @@
 #include "../base/words.h"
 #include "agm.h"
 
-/* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation, beginning with the sine and
-   cosine of the phase a_n u. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. With a = a_n, b = b_n and
-   a+ = a_(n+1) the step back from n + 1 to n replaces
+/* Goes back through the steps of the arithmetic-geometric mean by Gauss' transformation. At the last step n the sine
+   and cosine of the phase a_n u are known. The results s, c, d, q give sn = s/q, cn = c/q and dn = d/q. With a = a_n,
+   b = b_n and a+ = a_(n+1) the step back from n + 1 to n replaces
      s by (a/a+) s q,  c by c d,  d by c^2 + (b/a+) s^2,  q by c^2 + (a/a+) s^2.
    No subtraction occurs, not even for m < 0. */
 VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real *c, vm_real *d, vm_real *q)
@@ -36,11 +36,11 @@ VM_API void vmi_descend(const vmi_ladder *l, vm_real phase, vm_real *s, vm_real 
     }
 }
 
-/* sn, cn and dn of u by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps (at least one)
-   cost less and are less accurate. With steps >= 15 the function makes as many steps as the type needs; the error is
-   then at most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|: the rounded phase
-   a_n u, with the last arithmetic mean a_n, is reduced by pi/2, while jacobi_sncndn reduces u itself by K. The results
-   are NaN for m >= 1 and for infinite arguments. */
+/* sn, cn and dn of u by a given number of steps of the arithmetic-geometric mean, for m < 1. Fewer steps cost less and
+   are less accurate; at least one step is made. With steps >= 15 the function makes as many steps as the type needs;
+   the error is then at most 3 eps M (1 + M |u|) with M = max(1, k') for |u| <= 5K. The error grows with |u|, since the
+   function rounds the phase a_n u, where a_n is the last arithmetic mean, and reduces a_n u by pi/2; jacobi_sncndn
+   reduces u itself by K. The results are NaN for m >= 1 and for infinite arguments. */
 VM_API void jacobi_agm_sncndn(vm_real u, vm_real m, int steps, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vmi_three half_pi = vmi_half_pi();

@@ -1,16 +1,17 @@
 /* jacobi/functions.h - the elliptic functions sn, cn, dn and their quotients
 
    This file has Jacobi's functions sn(u | m), cn(u | m) and dn(u | m) for every real argument u and every parameter
-   m = k^2 <= 1, also for negative m. sn and cn have the period 4 K(m), dn has 2 K(m). They describe the motions of
-   oscillators with cubic springs and of bodies that rotate without torque. For many u and one m use a plan
-   (jacobi/plans.h).
+   m = k^2 <= 1, also for negative m. sn and cn have the period 4 K(m), dn has the period 2 K(m), where the quarter
+   period K(m) is an integral (jacobi/integrals.h). The functions describe the motions of oscillators with cubic springs
+   and of bodies that rotate without torque. For many u and one m use a plan (jacobi/plans.h).
 
        vm_real sn, cn, dn;
        jacobi_sncndn(VM_C(1.2), VM_C(0.3), &sn, &cn, &dn);
 
-   Method: a multiple of K is subtracted from u, so that the rest v has |v| <= K/2. For v near 0 a series is used
-   (vmi_theta_near), for v far from 0 theta functions (vmi_theta_far). Equations: DLMF 22. Tests:
-   tests/test_jacobi.c. */
+   Method: a multiple of K is subtracted from u, so that the rest v has |v| <= K/2. Four theta functions of v are
+   computed, and sn, cn and dn are quotients of them (jacobi/theta.h). For v near 0 the theta functions come from a
+   series of (cn/sn)^2 (vmi_theta_near), for v far from 0 from series of their own (vmi_theta_far). Equations: DLMF 22.
+   Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_FUNCTIONS_H
 #define VARMASS_JACOBI_FUNCTIONS_H
 
@@ -21,16 +22,16 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* Returns the theta functions of u for 1 - m = m1 + m1_lo, a number in two words. Each has a small relative error, or
-   is NaN outside the domain of jacobi_sncndn. dn lies between 1 and *bound. For a small |u| the function computes
-   neither K nor k'. */
+/* Returns the theta functions of u for 1 - m = m1 + m1_lo, a number in two words. Each theta function has a small
+   relative error, or is NaN outside the domain of jacobi_sncndn. *bound becomes a number for which dn(u | m) lies
+   between 1 and *bound. For a small |u| the function computes neither K nor k'. */
 VM_INLINE vmi_thetas vmi_thetas_of(vm_real u, vm_real m1, vm_real m1_lo, vm_real *bound)
 {
     const vm_real reach = u * u * (VM_C(0.81) * (1 + m1) - VM_C(0.338) * VM_FABS(1 - m1)); /* about (2u/K)^2 */
     vm_real v, v_lo;
     vmi_bits quarters;
     vmi_thetas theta;
-    *bound = m1; /* for |u| <= K/2 dn lies between 1 and sqrt(k'), and therefore between 1 and m1 */
+    *bound = m1; /* dn lies between 1 and k' = sqrt(m1), and therefore also between 1 and m1 */
     if (m1 >= 0 && reach <= 1) return vmi_theta_near(u, m1);
     *bound = VM_SQRT(m1);
     v = vmi_reduced(VM_FABS(u), m1, m1_lo, *bound, reach, &v_lo, &quarters);
@@ -47,14 +48,15 @@ VM_API void vmi_sncndn(vm_real u, vm_real m1, vm_real m1_lo, vm_real *sn, vm_rea
     vm_real bound;
     const vmi_thetas theta = vmi_thetas_of(u, m1, m1_lo, &bound);
     vmi_theta_ratios(theta, bound, sn, cn, dn);
-    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* more accurate than the product of theta.c and 1/theta.n */
+    *cn = vmi_clamp(theta.c, -theta.n, theta.n) / theta.n; /* more accurate than the product theta.c (1/theta.n) */
 }
 
-/* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, dn lies
-   between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 9 ulp for
-   |u| <= 100 K, next to the zeros too, and at most 4 eps times the function's largest value for |u| <= 1e9 (float 1e4).
-   The results are NaN for m > 1 and for infinite arguments. For m = 1 sn = tanh u and cn = dn = 1/cosh u, also for
-   infinite u. docs/cost.md has the time of a call. DLMF 22. */
+/* sn, cn and dn of the argument u for the parameter m = k^2 <= 1. All are pure numbers. |sn| <= 1, |cn| <= 1, and dn
+   lies between 1 and sqrt(1 - m). sn is odd in u, cn and dn are even, to the last bit. The error is at most 9 ulp for
+   |u| <= 100 K, next to the zeros too. The absolute error is at most 4 eps times the function's largest value for
+   |u| <= 1e9 and |u| <= 2^40 K (float 1e4 and 2^17 K). The results are NaN for m > 1 and for infinite arguments, with
+   one exception: for m = 1, sn = tanh u and cn = dn = 1/cosh u, also for infinite u. docs/cost.md has the time of a
+   call. DLMF 22. */
 VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -62,8 +64,8 @@ VM_API void jacobi_sncndn(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_rea
 }
 
 /* sn, cn and dn for the complementary parameter m1 = 1 - m >= 0.
-   Domain and accuracy are those of jacobi_sncndn. Use it for m close to 1, where the difference 1 - m would lose
-   digits. */
+   Domain and accuracy are those of jacobi_sncndn. Use jacobi_sncndn_m1 for m close to 1, where the difference 1 - m
+   would lose digits. */
 VM_API void jacobi_sncndn_m1(vm_real u, vm_real m1, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     vmi_sncndn(u, m1 + 0, 0, sn, cn, dn); /* m1 + 0 turns -0 into 0 */
@@ -78,8 +80,8 @@ VM_API vm_real vmi_theta_named(vmi_thetas t, char name)
     return t.n;
 }
 
-/* Returns the elliptic function whose name has the letters p and q, such as cd: it is the quotient theta_p/theta_q. For
-   m = 1 both theta functions may underflow to the same number: then the quotient is 1. */
+/* Returns the elliptic function whose name consists of the letters p and q, such as cd. This function is the quotient
+   theta_p/theta_q. For m = 1 both theta functions may underflow to 0; where they are equal, the result is 1. */
 VM_API vm_real vmi_quotient(vm_real u, vm_real m, char p, char q)
 {
     vm_real bound;

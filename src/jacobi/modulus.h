@@ -1,8 +1,8 @@
 /* jacobi/modulus.h - the parameter m for a given quarter period
 
-   The functions solve K(m) = c and k' K(m) = c for m. The second equation is (307), which gives the Jacobi function
-   whose period is that of a strongly nonlinear oscillator. Each equation has one solution for every c > 0. The nome of
-   a parameter m is q = exp(-pi K(1 - m)/K(m)).
+   The functions solve K(m) = c and k' K(m) = c for m, where K(m) is the quarter period and k' = sqrt(1 - m). The second
+   equation is (307); its solution belongs to the Jacobi function whose period is that of a strongly nonlinear
+   oscillator. Each equation has one solution for every c > 0. The nome of a parameter m is q = exp(-pi K(1 - m)/K(m)).
 
        vm_real m = jacobi_solve_kpK(VM_C(1.2)); // sqrt(1 - m) K(m) = 1.2
 
@@ -16,9 +16,9 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* Returns (1 - R)/q for |q| <= 0.1, where m = 16 q R is the parameter with the nome q, and
-   R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. No digits are lost for small q. Method: for the number
-   b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3 the quotient (1 - b)/q is
+/* Returns (1 - R)/q for |q| <= 0.1 without loss of digits for small q. The number R is defined by m = 16 q R, where m
+   is the parameter with the nome q; with theta functions R = (theta_2(q)/(2 q^(1/4) theta_3(q)))^4. Method: for the
+   number b = R^(1/4) = (1 + q^2 + q^6 + q^12)/theta_3 the quotient (1 - b)/q is
    (2 - q + 2 q^3 - q^5 + 2 q^8 - q^11)/theta_3. */
 VM_API vm_real vmi_theta_loss(vm_real q)
 {
@@ -34,9 +34,9 @@ typedef struct VM_TAG(vmi_solution) {
     vm_real q, L, L_lo;  /* the nome q, which is exp(-L - L_lo) if circular is 0 */
 } vmi_solution;
 
-/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). q is the nome of the m that solves k'
-   K = c, and -q is the nome of the m that solves K = c. The method solves the series q - q^4 + q^9 = (1 - theta_4(q))/2
-   for q. */
+/* Returns the nome q with theta_4(q)^2 = 2 c/pi, for c between K(-1) and K(1/2). The parameter whose nome is q solves
+   k' K = c, and the parameter whose nome is -q solves K = c. The method solves q - q^4 + q^9 = (1 - theta_4(q))/2 for q
+   by a fixed-point iteration. */
 VM_API vm_real vmi_solve_middle(vm_real c)
 {
     const vmi_three half_pi = vmi_half_pi();
@@ -49,12 +49,12 @@ VM_API vm_real vmi_solve_middle(vm_real c)
     return q;
 }
 
-/* After a step of Newton's method that is shorter than this number, the error is below eps. */
+/* Newton's method ends with the first step that is not longer than this number, since the error is then below eps. */
 #define VMI_SMALL_STEP (VM_MANT_DIG > 24 ? VM_C(1e-9) : VM_C(2e-5))
 
 /* Finds s->L = -ln q for c >= K(1/2) from L theta_3(q)^2/2 = c. The left side is K(m) if q is the nome of 1 - m, and k'
-   K(m) if q is the nome of 1/(1 - m). The unknown of Newton's method is lambda = 2c - L = 2c (1 - theta_3^-2), between
-   0 and 0.57. The method starts at lambda = 0 and needs at most seven steps. */
+   K(m) if q is the nome of 1/(1 - m). The unknown of Newton's method is lambda = 2c - L = 2c (1 - theta_3^-2), which
+   lies between 0 and 0.57. The method starts at lambda = 0 and needs at most seven steps. */
 VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
 {
     vm_real lambda = 0, step = 1;
@@ -71,7 +71,7 @@ VM_API void vmi_solve_high(vm_real c, vmi_solution *s)
     s->L_lo = L.lo;
 }
 
-/* Returns ln(1 + x) for 0 <= x < 0.0019, by its series. */
+/* Returns ln(1 + x) for 0 <= x < 0.0019, by the power series of the logarithm. */
 VM_API vm_real vmi_small_log(vm_real x)
 {
     return x - x * x * (VM_C(0.5) - x * (VM_C(0.3333333333333333333) - x * (VM_C(0.25) - x * VM_C(0.2))));
@@ -102,9 +102,9 @@ VM_API void vmi_solve_low(vm_real c, vmi_solution *s)
     s->L_lo = sum.lo;
 }
 
-/* Returns the parameter m with K(m) = c if inverse_of_K is 1, and with k' K(m) = c if it is 0, for c > 0. One method is
-   enough for both equations, since k' K(m) is K(m/(m - 1)). For c > 1000 the number 1 - m underflows to 0 or overflows
-   (in float for much smaller c too), so that every such c gives the result of c = 1000. */
+/* Returns the solution m of K(m) = c if inverse_of_K is 1, and of k' K(m) = c if inverse_of_K is 0, for c > 0. One
+   method is enough for both equations, since k' K(m) is K(m/(m - 1)). For c > 1000 the result is that of c = 1000:
+   there 1 - m underflows to 0 or overflows (in float for much smaller c too). */
 VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
 {
     const vm_real least = VM_C(1.311028777146059905232), most = VM_C(1.854074677301371918434); /* K(-1) and K(1/2) */
@@ -124,7 +124,7 @@ VM_API vmi_solution vmi_solve_parameter(vm_real c, int inverse_of_K)
     return s;
 }
 
-/* Returns 1 - m of the solution. 16 q and 1/(16 q) are computed as exp(ln 16 - L) and exp(L - ln 16), since q may
+/* Returns 1 - m of the solution. 16 q is computed as exp(ln 16 - L), and 1/(16 q) as exp(L - ln 16), since q may
    underflow where 16 q does not. */
 VM_API vm_real vmi_solution_m1(const vmi_solution *s)
 {

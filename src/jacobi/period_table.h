@@ -1,10 +1,11 @@
 /* jacobi/period_table.h - the quarter period K from a table of polynomials
 
-   To reduce a large argument, K is needed with more digits than a vm_real has. The arithmetic-geometric mean gives
-   these digits (jacobi/agm.h), but it is slow, since it takes one square root after another. Here K comes from one of
-   25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave of k', an interval from 2^n to 2^(n+1),
-   is divided into eight pieces. Each piece has its own polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the
-   middle of the piece. The table takes 3.8 kB (float 1 kB).
+   To reduce a large argument, the quarter period K is needed with more digits than a vm_real has. The
+   arithmetic-geometric mean gives these digits (jacobi/agm.h), but this method is slow, since it takes one square root
+   after another. Here K comes from one of 25 polynomials in k' = sqrt(1 - m), for k' from 0.171875 to 1.5. Each octave
+   of k', an interval from 2^n to 2^(n+1), is divided into eight pieces of equal length. Each piece has its own
+   polynomial c_0 + c_1 t + c_2 t^2 + ..., where t is k' minus the middle of the piece. The table takes 3.8 kB (float
+   1 kB).
 
        vmi_period K = vmi_period_by_table(VM_C(0.5), 0, VM_SQRT(VM_C(0.5))); // K(0.5) = K.head + K.middle + K.low
 
@@ -20,8 +21,8 @@
 /* VMI_IN_PERIOD_TABLE(kp) is 1 if the table gives the quarter period for k' = kp, else 0. */
 #define VMI_IN_PERIOD_TABLE(kp) ((kp) >= VM_C(0.171875) && (kp) < VM_C(1.5))
 
-/* The number of polynomials and the number of constants of each. Constants 0 and 1 are the two words of c_0, constants
-   2 and 3 those of c_1, and so on; after the first five coefficients (float three) each has one word. */
+/* The number of polynomials and the number of constants of each. The first five coefficients (float three) have two
+   words, the others one: constants 0 and 1 are the two words of c_0, constants 2 and 3 those of c_1, and so on. */
 enum { VMI_PERIOD_ROWS = 25, VMI_PERIOD_COLUMNS = VM_MANT_DIG > 24 ? 19 : 10 };
 
 /* Returns a constant of the polynomial number `row`. */
@@ -243,17 +244,19 @@ VM_INLINE vm_real vmi_period_constant(vmi_bits row, int column)
     return VM_READ(table[row][column]);
 }
 
-/* The quarter period as the sum head + middle + low. head and middle are so short that their products with a whole
-   number below 2^20 (float 2^13) are exact. rough is the sum in one word with a relative error below 2^-27 (float
-   2^-23), and early is a sum that takes less time, with a relative error below 2^-13. */
+/* The quarter period as the sum head + middle + low. The numbers head and middle have few digits: their products with a
+   whole number below 2^20 are exact (in float below 2^13, and for head < 2 below 2^14). rough is the sum in one word,
+   with a relative error below 2^-27 (float 2^-23). early approximates the sum with a relative error below 2^-13 and is
+   ready sooner. */
 typedef struct VM_TAG(vmi_period) {
     vm_real head, middle, low, rough, early;
 } vmi_period;
 
-/* VMI_PERIOD_CUT is the number of last digits of k' that are cut off to make t short. Each of the other numbers rounds
-   a sum by being added to it and subtracted again: VMI_SQUARE_GRID rounds t^2 to a multiple of 2^-21, VMI_SLOPE_GRID
-   c_1 to one of 2^-16, VMI_MIDDLE_GRID the sum of c_1 t, c_2 t^2, ... to one of 2^-36 (float 2^-14), and VMI_HEAD_GRID,
-   in float only, c_0 to one of 2^-9. */
+/* VMI_PERIOD_CUT is the number of last digits of k' that are set to 0 in the head of k'. Each of the other constants
+   rounds a number: the constant is added to the number and subtracted again. VMI_SQUARE_GRID rounds t^2 to a multiple
+   of 2^-21, VMI_SLOPE_GRID c_1 to a multiple of 2^-16, and VMI_MIDDLE_GRID the sum of c_1 t, c_2 t^2, ... to a multiple
+   of 2^-36. In float VMI_MIDDLE_GRID rounds the sum to a multiple of 2^-14, and VMI_HEAD_GRID c_0 to a multiple of
+   2^-9. */
 #if VM_MANT_DIG > 24
 #define VMI_PERIOD_CUT 34
 #define VMI_SQUARE_GRID VM_C(3221225472.0)
@@ -267,11 +270,13 @@ typedef struct VM_TAG(vmi_period) {
 
 /* Returns K for 1 - m = m1 + m1_lo, a number in two words, where kp is k' in one word and VMI_IN_PERIOD_TABLE(kp) is 1.
    The relative error is below 2^-71 (float 2^-36).
-   Method: t is the sum of head, which has at most 14 binary digits (float 10), and a tail. b1, b2, ... are the products
-   of the heads of c_1, c_2, ... and the powers of head; they are exact. The sums in which K.middle is subtracted are
-   exact, too. All other terms are so small that one word is enough for them. The variable t has one word and does not
-   contain kp_lo, the low word of k'. The tail contains kp_lo. In the terms with t^4 and t^5 (float t^3 and t^4) the
-   effect of kp_lo is added as kp_lo times their derivatives with respect to t. */
+   Method: in two words k' is kp + kp_lo. The variable t is kp minus the middle of the piece; t does not contain kp_lo.
+   t is the sum of head, which has at most 14 binary digits (float 10), and kp_tail. The products b1, b2, ... are exact,
+   since their factors have few digits: b1, b2 and b3 are the first words of c_1, c_2 and c_3 times head, head^2 and
+   head^3; b4 is the first word of c_4 times g^2, where g is t^2 with few digits; b5 is c_1 with few digits times
+   kp_tail (float: only b1 and b2). The sums in which K.middle is subtracted are exact, too. All other terms are so
+   small that one word is enough for them. The effect of kp_lo is kp_lo times the derivative of the polynomial; of this
+   derivative, the terms up to those that come from c_5 t^5 (float c_4 t^4) are used. */
 VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
 {
     const vmi_bits bits = vmi_to_bits(kp), half = (vmi_bits)1 << (VMI_STORED_DIG - 4);
@@ -306,7 +311,7 @@ VM_INLINE vmi_period vmi_period_by_table(vm_real m1, vm_real m1_lo, vm_real kp)
     const vm_real words = (c0_lo + (c1_lo * head + (c2_lo + c3_lo * head) * hh)) + c4_lo * (g * g);
     const vm_real rest4 = (c4 + c4_lo) * ((tt - g) * (tt + g)), slope45 = tt * t * (4 * c4 + 5 * t * c5);
     const vm_real slope3 = (c3 + c3_lo) * (3 * head * t + kp_tail * kp_tail);
-    const vm_real slope = (c2 + c2_lo) * (head + t) + slope3; /* derivative of the polynomial without its term c_1 */
+    const vm_real slope = (c2 + c2_lo) * (head + t) + slope3; /* (terms of c_2, c_3 at t less those at head)/kp_tail */
     const vm_real rest1 = kp_tail * (c1_rest + slope) + kp_lo * (c1 + slope + slope45);
     K.middle = vmi_rounded(b + VMI_MIDDLE_GRID) - VMI_MIDDLE_GRID;
     K.low = (((((b1 - K.middle) + b2) + b3) + b4) + b5) + (((words + rest4) + t4 * t * p) + rest1);

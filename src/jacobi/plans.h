@@ -1,9 +1,9 @@
 /* jacobi/plans.h - sn, cn and dn for many arguments and one parameter
 
    A plan contains all numbers that depend only on m: the quarter period as a sum of numbers with few digits, and
-   polynomials that replace the series of jacobi_sncndn. A call with a plan is faster, most of all for arrays, where the
-   compiler vectorises the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a
-   constant in flash.
+   polynomials that replace the series of jacobi_sncndn or, for m near 1 or below about -21, the coefficients of the
+   theta functions (jacobi/theta.h). A call with a plan is faster, most of all for arrays, where the compiler vectorises
+   the loop (docs/cost.md has the times). A plan is plain data: it may be copied, and it may be a constant in flash.
 
        jacobi_plan p;
        vm_real sn, cn, dn;
@@ -24,14 +24,14 @@
 #include "reduction.h"
 #include "theta.h"
 
-/* One parameter m, prepared by jacobi_plan_init. `form` is the method for this m; fields that the method does not use
-   are 0. */
+/* A plan for one parameter m, prepared by jacobi_plan_init. The field `form` tells which method is used for this m;
+   fields that the method does not use are 0. */
 typedef struct VM_TAG(jacobi_plan) {
-    int form;            /* method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
+    int form;            /* the method: VMI_NEAR_FORM uses a and b; VMI_HYPERBOLIC and VMI_RECIPROCAL use theta */
     vm_real m1;          /* complementary parameter 1 - m */
-    vm_real K[VMI_PIECES], per_K; /* K: quarter period as a sum, see vmi_pieces; per_K: 1/K, or 0 for m = 1 */
+    vm_real K[VMI_PIECES], per_K; /* K as a sum, see vmi_pieces, and 1/K; for m = 1 both are 0 */
     vm_real a[VMI_TERMS], b[VMI_TERMS]; /* coefficients of two polynomials in v^2, for the reduced argument v */
-    vmi_theta_form theta;               /* its field kp = k' is set for every method */
+    vmi_theta_form theta;               /* its field kp, which is k', is set for every method */
 } jacobi_plan;
 
 /* Returns the polynomial 1 + c[0] y + c[1] y^2 + ... with VMI_TERMS coefficients c. */
@@ -52,16 +52,17 @@ enum { VMI_MORE_TERMS = VM_MANT_DIG > 24 ? 16 : 9 };
 
 /* Replaces the polynomial 1 + c[1] t + ... + c[VMI_MORE_TERMS] t^VMI_MORE_TERMS by a polynomial of degree VMI_TERMS
    that is close to it for 0 <= t <= 1. Each step removes the highest power: it subtracts a multiple of Chebyshev's
-   polynomial of the same degree. */
+   polynomial of the same degree. The constant coefficient stays 1. */
 VM_API void vmi_shorten(vm_real *c)
 {
     int n;
     for (n = VMI_MORE_TERMS; n > VMI_TERMS; n--) vmi_remove_highest(c, n, 1);
 }
 
-/* Computes p->a and p->b, the coefficients of two power series in v^2 for |v| <= longest. With cs = cn/sn and w = v/2,
-   p->a belongs to w^2 cs^2(w), and p->b to -w^4 d(cs^2)/d(w^2). The constant coefficients of both are 1 and are not
-   stored. */
+/* Computes p->a and p->b, the coefficients of two polynomials in v^2 for |v| <= longest. Let cs = cn/sn and w = v/2.
+   The polynomial with the coefficients p->a approximates w^2 cs^2(w). The polynomial with p->b approximates -w^4 times
+   the derivative of cs^2(w) with respect to w^2. Both are made from power series (vmi_laurent). Their constant
+   coefficients are 1 and are not stored. */
 VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 {
     const vm_real theta = longest * longest / 4;
@@ -84,7 +85,7 @@ VM_API void vmi_plan_prepare(jacobi_plan *p, vm_real longest)
 }
 
 /* Prepares a plan for 1 - m = m1 + m1_lo, a number in two words. Returns 0, or -1 where no elliptic function has this
-   parameter. */
+   parameter; the plan then stays as it was. */
 VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
 {
     vmi_three K;
@@ -109,8 +110,8 @@ VM_API int vmi_plan_init(jacobi_plan *p, vm_real m1, vm_real m1_lo)
     return 0;
 }
 
-/* Prepares a plan for the parameter m = k^2 <= 1. Returns 0, or -1 for m > 1, NaN and infinite m, where the plan
-   stays as it was. */
+/* Prepares a plan for the parameter m = k^2 <= 1. Returns 0. For m > 1, NaN and infinite m the result is -1, and the
+   plan stays as it was. */
 VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -118,13 +119,14 @@ VM_API int jacobi_plan_init(jacobi_plan *p, vm_real m)
 }
 
 /* Prepares a plan for the complementary parameter m1 = 1 - m >= 0.
-   Domain and result are those of jacobi_plan_init. Use it for m close to 1, where the difference 1 - m would lose
-   digits. */
+   Domain and result are those of jacobi_plan_init. Use jacobi_plan_init_m1 for m close to 1, where the difference 1 - m
+   would lose digits. */
 VM_API int jacobi_plan_init_m1(jacobi_plan *p, vm_real m1) { return vmi_plan_init(p, m1 + 0, 0); } /* -0 + 0 is 0 */
 
-/* Returns the theta functions near 0. They are computed from the plan's two polynomials at w = v/2 and by one
-   duplication, which leads from w to v (compare vmi_theta_near). theta_s is v times the polynomial p->b, since
-   d(sc^2)/dw = 2 sc nc dc. */
+/* Returns the theta functions of v, computed from the plan's two polynomials at w = v/2 and by one duplication, which
+   leads from w to v (compare vmi_theta_near). The variables a and b are w^2 cs^2(w) and w^2, so that b/a = sc^2(w).
+   theta.s is v times the polynomial with the coefficients p->b, since the derivative of cs^2(w) with respect to w is
+   -2 cs ns ds. */
 VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
 {
     vmi_thetas theta;
@@ -136,8 +138,8 @@ VM_INLINE vmi_thetas vmi_plan_near(const jacobi_plan *p, vm_real v)
     return theta;
 }
 
-/* Computes sn, cn and dn at one u, where |u| = j K + rest. `quarters` stands for the integer j: only its last two bits
-   are used, which are j modulo 4. There is no branch if the compiler knows the form. */
+/* Computes sn, cn and dn at one u, where |u| = j K + rest with an integer j. Of the number `quarters` only the last two
+   bits are used; they are j modulo 4. If the compiler knows the form, the code has no branch. */
 VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_three rest, vmi_bits quarters,
                               vm_real *sn, vm_real *cn, vm_real *dn)
 {
@@ -150,7 +152,7 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
             const vm_two product = vmi_two_product(v.hi, p->theta.kp);
             v = vmi_fast_two_sum(product.hi, product.lo + (v.hi * p->theta.kp_lo + v.lo * p->theta.kp));
         }
-        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* a NaN is lost in v.hi, but not in v.lo */
+        v.hi = vmi_smaller(vmi_larger(v.hi, -VMI_LONGEST), VMI_LONGEST); /* removes a NaN, but then v.lo is NaN, too */
         theta = vmi_theta_far(&p->theta, form == VMI_RECIPROCAL, v);
     }
     theta = vmi_theta_shift(theta, p->theta.kp, quarters);
@@ -158,8 +160,9 @@ VM_INLINE void vmi_plan_point(const jacobi_plan *p, int form, vm_real u, vmi_thr
     vmi_theta_ratios(theta, p->theta.kp, sn, cn, dn);
 }
 
-/* Returns u minus the nearest multiple j K, for a u that is too large for vmi_reduce_pieces. *quarters becomes a number
-   whose last two bits are j modulo 4. For m = 1 the function returns the smaller of u and VMI_LONGEST. */
+/* Returns u minus the nearest multiple j K, for a u >= 0 that is too large for vmi_reduce_pieces, infinite or NaN.
+   *quarters becomes a number whose last two bits are j modulo 4. For an infinite u the result is NaN, except for m = 1,
+   where there is no period: then the function returns the smaller of u and VMI_LONGEST. */
 VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits *quarters)
 {
     const vm_two head = vmi_two_sum(p->K[0], p->K[1]), K = vmi_two_sum(head.hi, head.lo + (p->K[2] + p->K[3]));
@@ -176,8 +179,8 @@ VM_API vmi_three vmi_plan_reduce_long(const jacobi_plan *p, vm_real u, vmi_bits 
     return vmi_three_words(v.hi, v.lo, 0);
 }
 
-/* Returns 1 if `rest`, which is u minus a multiple of K by vmi_reduce_pieces, is so small that more digits of K are
-   needed, else 0. */
+/* Returns 1 if more digits of K are needed because `rest` is so small, else 0. The number `rest` is u minus a multiple
+   of K, as vmi_reduce_pieces computes this difference. */
 VM_INLINE int vmi_plan_is_close(vm_real rest, vm_real u) { return VM_FABS(rest) < VMI_PIECES_REACH * u; }
 
 /* sn, cn and dn of the argument u for the plan's parameter.
@@ -200,7 +203,7 @@ VM_API void jacobi_plan_sncndn(const jacobi_plan *p, vm_real u, vm_real *sn, vm_
         return;
     }
     vmi_plan_point(p, p->form, u, v, quarters, sn, cn, dn);
-    if (*sn == 0) { /* then cn is exactly 1 or -1, and dn is 1 */
+    if (*sn == 0) { /* where sn is 0, cn is exactly 1 or -1, and dn is 1 */
         *cn = VM_COPYSIGN((vm_real)1, *cn);
         *dn = 1;
     }
@@ -219,14 +222,14 @@ VM_INLINE void vmi_plan_loop(const jacobi_plan *p, int form, int n, const vm_rea
     }
     if (form == VMI_NEAR_FORM) return;
     for (i = 0; i < n; i++)
-        if (sn[i] == 0) { /* then cn is exactly 1 or -1, and dn is 1 */
+        if (sn[i] == 0) { /* where sn is 0, cn is exactly 1 or -1, and dn is 1 */
             cn[i] = VM_COPYSIGN((vm_real)1, cn[i]);
             dn[i] = 1;
         }
 }
 
-/* Computes the results next to a zero of sn or cn once more, one by one, with more digits of K. There the size of sn is
-   about the distance |u - j K| from the zero, and that of cn about k' times this distance. */
+/* Computes those results again that are next to a zero of sn or cn, one by one and with more digits of K. Next to a
+   zero j K, the size of sn is about the distance |u - j K|, and the size of cn is about k' times this distance. */
 VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real kp = p->theta.kp;
@@ -241,13 +244,13 @@ VM_API void vmi_plan_mend_close(const jacobi_plan *p, int n, const vm_real *u, v
 }
 
 /* sn, cn and dn of the n arguments in the array u, for the plan's parameter. The arrays sn, cn, dn have n elements each
-   and overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
+   and must overlap neither each other nor u. The values are those of jacobi_plan_sncndn; where the compiler fuses
    multiplications and additions, the last bits may depend on the index in the array. docs/cost.md has the time of a
    call. */
 VM_API void jacobi_plan_sncndn_array(const jacobi_plan *p, int n, const vm_real *u, vm_real *sn, vm_real *cn,
                                      vm_real *dn)
 {
-    const jacobi_plan local = *p; /* the compiler can see that the arrays do not overlap this copy */
+    const jacobi_plan local = *p; /* the compiler knows that no array overlaps this copy */
     int i, any_far = 0;
     for (i = 0; i < n; i++) any_far |= !(VM_FABS(u[i]) * local.per_K < VMI_EXACT_QUARTERS);
     if (any_far) {

@@ -1,10 +1,13 @@
 /* jacobi/theta.h - Neville's theta functions, from which sn, cn and dn are quotients
 
-   Each of the twelve elliptic functions is a quotient of two of four theta functions: sn = theta_s/theta_n, and so on.
-   The four theta functions are computed for an argument v that was reduced to |v| <= K/2, up to a common factor. No
-   subtraction loses digits, so that each of them has a small relative error. Near 0 (see VMI_NEAR) they come from the
-   Laurent series of cs^2 = (cn/sn)^2 and two duplications; far from 0, where m is near 1 or below -20, from series in a
-   nome that is at most 0.003.
+   There are four theta functions, theta_s, theta_c, theta_d and theta_n. Each of the twelve elliptic functions is a
+   quotient of two theta functions: sn = theta_s/theta_n, and so on. The theta functions are computed for an argument v
+   that was reduced to |v| <= K/2. A factor that all four have in common does not matter, since the factor cancels in
+   every quotient. No subtraction loses digits, so that each theta function has a small relative error.
+   Near 0 (see VMI_NEAR) the theta functions come from the power series of cs^2 = (cn/sn)^2, which begins with 1/v^2 (a
+   Laurent series), and from two duplications. An argument far from 0 occurs only for m near 1 or below about -21. There
+   the theta functions come from series in a nome, which is at most 0.003. The nome of a parameter m is the number
+   exp(-pi K(1 - m)/K(m)).
 
    Source: DLMF 20.2, 20.7, 22.6, 23.9. Tests: tests/test_jacobi.c. */
 #ifndef VARMASS_JACOBI_THETA_H
@@ -16,29 +19,30 @@
 #include "../base/sums.h"
 #include "../base/words.h"
 
-/* The numbers from which the theta functions far from 0 are computed for a parameter m. vmi_far_prepare writes them. */
+/* The numbers from which the theta functions far from 0 are computed for a parameter m. vmi_far_prepare writes these
+   numbers, and its comment explains them. */
 typedef struct VM_TAG(vmi_theta_form) {
-    vm_real kp, kp_lo; /* k' = sqrt(1 - m) in two words */
+    vm_real kp, kp_lo; /* k' = sqrt(1 - m); its low word kp_lo is used in the reciprocal form only */
     vm_real q;         /* the nome of 1 - m, or of 1/(1 - m) in the reciprocal form */
-    vm_real defect;    /* 1 - z/v, where v is the argument and z its phase (see vmi_far_prepare) */
-    vm_real f[3], g[2], scale[2]; /* f, g: coefficients of P, Q and of E; scale: factors of theta_s, theta_c */
+    vm_real defect;    /* 1 - z/v, where z is the phase and v is u, or k' u in the reciprocal form */
+    vm_real f[3], g[2], scale[2]; /* coefficients of P and Q, coefficients of E, factors of theta_s and theta_c */
 } vmi_theta_form;
 
-/* The three methods: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta functions with
-   the nome of 1/(1 - m), for m < -20 */
+/* The three methods, in this order: the series near 0; theta functions with the nome of 1 - m, for m near 1; theta
+   functions with the nome of 1/(1 - m), for m below about -21 */
 enum { VMI_NEAR_FORM, VMI_HYPERBOLIC, VMI_RECIPROCAL };
 
-/* The number of terms of a plan's polynomials */
+/* The number of terms of a plan's polynomials, without the constant term */
 enum { VMI_TERMS = VM_MANT_DIG > 24 ? 10 : 5 };
 
-/* Neville's theta functions times a common factor. Each elliptic function is a quotient of two of them, such as
-   sn = s/n. */
+/* The four theta functions theta_s, theta_c, theta_d and theta_n, all multiplied by one common factor. Each elliptic
+   function is a quotient of two of them, such as sn = s/n. */
 typedef struct VM_TAG(vmi_thetas) {
     vm_real s, c, d, n;
 } vmi_thetas;
 
-/* The Laurent series is used if v^2 max(1, 1 - m) is at most this number. For -21.5 < m < 0.955 this holds for all
-   |v| <= K/2. */
+/* The Laurent series is used if v^2 max(1, 1 - m) is at most this number. For -21.5 < m < 0.955 all v with |v| <= K/2
+   satisfy this condition. */
 #define VMI_NEAR VM_C(2.2)
 
 /* Computes the terms c_1, c_2, c_3 of w^2 cs^2(w) = 1 + c_1 + c_2 + ..., where c_k is proportional to w^(2k), from
@@ -54,10 +58,10 @@ VM_INLINE void vmi_laurent(vm_real theta, vm_real m1_theta, vm_real *c)
 }
 
 /* Returns the theta functions near 0, from the series at w = v/4 to the ninth term (float: the fifth) and two
-   duplications. Only theta.c and the local variable f are computed by subtractions, and both are far from 0. s, c, d
-   and n below are the four theta functions. A duplication leads from w to 2w: if a and b are
-   numbers with b/a = sc^2(w), where sc = sn/cn, then
+   duplications. Only theta.c and the local variables a and f are computed by subtractions; none of them is near 0.
+   A duplication leads from w to 2w. Let sc = sn/cn, and let a and b be numbers with b/a = sc^2(w). Then
      sc^2(2w) = 4 a b (a + b)(a + m1 b)/(a^2 - m1 b^2)^2,
+   and the four theta functions s, c, d and n of 2w have the ratios
      s : c : d : n = 2 sqrt(a b (a + b)(a + m1 b)) : a^2 - m1 b^2 : a^2 + 2 m1 a b + m1 b^2 : a^2 + 2 a b + m1 b^2. */
 VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 {
@@ -80,7 +84,7 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
 #endif
     a = 1 + ((c[1] + (c[2] + c[3])) + more);
     f = a * a - r * w2;
-    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2; below it is called b/a */
+    g = a * ((a + w2) * (a + r)); /* now sc^2(2w) = 4 w^2 g/f^2; the lines below write this as b/a */
     b = 4 * w2 * g;
     s = 4 * r * g;
     a = f * f;
@@ -93,17 +97,20 @@ VM_INLINE vmi_thetas vmi_theta_near(vm_real v, vm_real m1)
     return theta;
 }
 
-/* Prepares the theta functions far from 0. They belong to a small parameter c with the nome q; k is sqrt(1 - c). Their
-   argument i z is imaginary, and z is called the phase.
+/* Prepares the theta functions far from 0. They belong to a small parameter c <= 0.05, whose nome is q; k is
+   sqrt(1 - c). The argument of these theta functions is an imaginary number i z, and z is called the phase.
      For m near 1 (the hyperbolic form), c = 1 - m and z = u agm(1, k).
-     For m < -20 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since sn(u | m) = sd(k' u | m/(m - 1))/k'.
-   In both forms c <= 0.05. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
+     For m below about -21 (the reciprocal form), c = 1/(1 - m) and z = k' u agm(1, k), since
+       sn(u | m) = sd(k' u | m/(m - 1))/k'.
+   Here agm(1, k) is the arithmetic-geometric mean (jacobi/agm.h). theta_s, theta_c, theta_d, theta_n are multiples of
+   the classical theta functions theta_1, theta_4, theta_3, theta_2; in the reciprocal form theta_d and theta_n change
+   places. With X = q cosh 2z, which is at most sqrt(q)/2 = 0.03,
      theta_1, theta_2 ~ 2 sinh z (P - Q), 2 cosh z (P + Q),  P = f0 + f2 X^2,  Q = f1 X,
      theta_3, theta_4 = E + O, E - O,                        E = 1 + (g1 X^2 - g0),  O = 2 X.
-   f0, f1, f2 and g0, g1 are the fields f and g. The terms that are left out are below 1e-18. f contains the constant
-   factor that makes theta_d/theta_n = dn, so that f0 is near 1/2. The factors `scale` of theta_s and theta_c are near
-   1, but in the reciprocal form that of theta_s contains 1/k'. x is the parameter after one step of the
-   arithmetic-geometric mean from 1 and k. */
+   f0, f1, f2 and g0, g1 are the elements of the fields f and g. The terms that are left out are below 1e-18. f contains
+   the constant factor that makes theta_d/theta_n = dn, so that f0 is near 1/2. The factors `scale` belong to theta_s
+   and theta_c. They are near 1, but in the reciprocal form the factor of theta_s contains 1/k'. The variable x is the
+   parameter that one step of the arithmetic-geometric mean from 1 and k makes of c. */
 VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
 {
     const vm_real c = vmi_smaller(m1, 1 / m1), root = VM_SQRT(1 - c), fourth = VM_SQRT(root);
@@ -132,21 +139,21 @@ VM_API void vmi_far_prepare(vmi_theta_form *t, vm_real m1, vm_real m1_lo)
     if (m1 > 1) t->scale[0] = (t->scale[1] - t->scale[1] * kp.lo / kp.hi) / kp.hi;
 }
 
-/* For m = 1 a larger argument is replaced by this number, since tanh then rounds to 1 and 1/cosh to 0. It is below
-   2 VMI_BIAS ln 2, as vmi_far_exponentials needs it. */
+/* For m = 1 this number replaces every larger argument, for which tanh rounds to 1 and 1/cosh to 0. The number is below
+   2 VMI_BIAS ln 2, a condition of vmi_far_exponentials. */
 #define VMI_LONGEST (VM_MANT_DIG > 24 ? VM_C(1400.0) : VM_C(170.0))
 
-/* What vmi_far_exponentials computes for a number z, where n is the whole number nearest to z/ln 2:
+/* The result of vmi_far_exponentials for a number z. With the whole number n that is nearest to z/ln 2, the fields are
    sine = 2^(1-n) sinh z, cosine = 2^(1-n) cosh z, power = 2^-n, and lift = 2^n. */
 typedef struct VM_TAG(vmi_exponentials) {
     vm_real sine, cosine, power, lift;
 } vmi_exponentials;
 
 /* Returns the four numbers of vmi_exponentials for the argument z + z_lo, where 0 <= z <= VMI_LONGEST and |z_lo| is at
-   most an ulp of z. The relative errors are at most 1.3 ulp. The field `lift`, which is 2^n, is wrong for n > VMI_BIAS,
-   where 2^n overflows. Method: z = n ln 2 + r with |r| < 0.35. With S = sinh r and C = cosh r - 1, which polynomials in
-   r^2 give,
-     sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),  cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)).  */
+   most an ulp of z. The relative errors are at most 1.3 ulp. The field `lift` is wrong for n > VMI_BIAS, where 2^n
+   overflows. Method: z = n ln 2 + r with |r| < 0.35. Polynomials in r^2 give S = sinh r and C = cosh r - 1. Then
+     sine = (1 - 4^-n) + (S (1 + 4^-n) + C (1 - 4^-n)),
+     cosine = (1 + 4^-n) + (C (1 + 4^-n) + S (1 - 4^-n)). */
 VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
 {
     const vm_real one_over_ln2 = VM_C(1.442695040888963407360), to_integer = VM_C(1.5) / VM_EPSILON;
@@ -183,8 +190,9 @@ VM_INLINE vmi_exponentials vmi_far_exponentials(vm_real z, vm_real z_lo)
     return e;
 }
 
-/* Returns the theta functions far from 0, for |argument| <= VMI_LONGEST. All four are multiplied by a power of two,
-   2^-n with the n of vmi_exponentials, so that they do not overflow. */
+/* Returns the theta functions far from 0, for |argument| <= VMI_LONGEST. In the reciprocal form the argument is k'
+   times that of the elliptic functions. All four theta functions are multiplied by the power of two 2^-n, with the n of
+   vmi_exponentials, so that they do not overflow. */
 VM_INLINE vmi_thetas vmi_theta_far(const vmi_theta_form *t, int reciprocal, vm_two argument)
 {
     vmi_thetas theta;
@@ -221,9 +229,10 @@ VMI_APART vmi_thetas vmi_theta_far_unprepared(vm_two v, vm_real m1, vm_real m1_l
     return vmi_theta_far(&t, m1 > 1, v);
 }
 
-/* Returns the theta functions at an argument that is larger by `quarters` quarter periods. One quarter period turns s,
-   c, d, n into c, -k' s, k' n, d; two quarter periods change the signs of s and c. Products with 0, 1 and -1 replace a
-   branch, which would be mispredicted half the time. */
+/* Returns the theta functions at an argument that is larger by `quarters` quarter periods; only the last two bits of
+   `quarters` are used. One quarter period turns s, c, d, n into c, -k' s, k' n, d. Two quarter periods change the signs
+   of s and c; a common factor is left out. Products with 0, 1 and -1 replace a branch, which the processor would
+   predict wrongly half the time. */
 VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quarters)
 {
     const vmi_bits one = vmi_to_bits(1), odd = (vmi_bits)0 - (quarters & 1);
@@ -238,7 +247,8 @@ VM_INLINE vmi_thetas vmi_theta_shift(vmi_thetas theta, vm_real kp, vmi_bits quar
     return shifted;
 }
 
-/* Computes sn, cn and dn from the theta functions. dn is kept between 1 and `bound`. */
+/* Computes sn, cn and dn as quotients of the theta functions. A dn that is not between 1 and `bound` is replaced by the
+   nearer of these two numbers. */
 VM_INLINE void vmi_theta_ratios(vmi_thetas theta, vm_real bound, vm_real *sn, vm_real *cn, vm_real *dn)
 {
     const vm_real low = vmi_smaller(bound, 1), high = vmi_larger(bound, 1), per_n = 1 / theta.n;
