@@ -97,7 +97,7 @@
                             and ca only rise or only fall, apart from errors of 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to
                             within 1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros              of sa and ca have a relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4)
-                            and for plans, it is <= 2^-100 (float 2^-42). This error, times |s| and the slope of sa or
+                            and for plans in float, it is <= 2^-100 (float 2^-42). This error, times |s| and the slope of sa or
                             ca, comes in addition to the errors above. It matters only where s is within an ulp of a
                             zero.
      Pi_alpha               <= 1 ulp
