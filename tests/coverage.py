@@ -5,7 +5,8 @@ Every test program is built in double and float without optimisation and run, an
 some code is there with these and in optimised builds only. A line with nothing but a brace, a comment or a directive
 is none. A branch is each of the two outcomes of a condition, && and || having one each side; conditions that the
 compiler knows are none. What counts is the union over the programs, since each of them has its own copies of the
-functions. BUILD/coverage/missed.txt lists what no program executes; BUILD/coverage/map.json, for mutate.py, which
+functions. A file of src/ that is copied into several headers counts for the first of them (rooms.py).
+BUILD/coverage/missed.txt lists what no program executes; BUILD/coverage/map.json, for mutate.py, which
 programs execute a line, the most often first, how long they take, and the headers' text.
 
 usage: coverage.py BUILD TEST... from the top of the project; ends with an error below LEAST percent
@@ -19,7 +20,8 @@ import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
+from rooms import HEADERS, owners
+
 LEAST = 98.0
 MISCOMPILED = 'jacobi_ns(0, ' # the check that clang 14 miscompiles with counters at -O1 and fused multiply-adds
 EMPTY = re.compile(r'\s*([{}]*|#.*|/\*.*|[^;{}]*\*/)\s*')
@@ -87,11 +89,11 @@ def function_at(source, line):
     return '?'
 
 
-def report(folder, lines, branches):
+def report(folder, sources, lines, branches):
     missed, enough = open(f'{folder}/missed.txt', 'w'), True
     print(f'{"":14}{"lines":>7}{"missed":>8}{"":9}{"branches":>10}{"missed":>8}')
     for header in HEADERS:
-        source = open(f'{header}.h').read().split('\n')
+        source = sources[header]
         for line in [line for line in lines[header] if EMPTY.fullmatch(source[line - 1])]:
             del lines[header][line]
         bare = [line for line, count in sorted(lines[header].items()) if not count]
@@ -119,24 +121,28 @@ def main():
                                   ('_contracted', ('-O1', '-march=native', '-ffp-contract=fast')))]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         measured = list(pool.map(measure, jobs))
+    sources = {header: open(f'{header}.h').read().split('\n') for header in HEADERS}
+    owner = owners(sources)
     lines, branches, programs = ({header: {} for header in HEADERS} for _ in range(3))
     for name, _, line_counts, sides in measured:
-        for header, counts in line_counts.items():
-            for line, count in counts.items():
+        for copy, counts in line_counts.items():
+            for place, count in counts.items():
+                header, line = owner[copy, place]
                 lines[header][line] = lines[header].get(line, 0) + count
                 if count:
                     programs[header].setdefault(line, []).append((count, name))
-        for header, spans in sides.items():
-            for span, (taken, not_taken) in spans.items():
-                known = branches[header].setdefault(span, [0, 0])
+        for copy, spans in sides.items():
+            for (start, column, end, end_column), (taken, not_taken) in spans.items():
+                header, line = owner[copy, start]
+                known = branches[header].setdefault((line, column, line + end - start, end_column), [0, 0])
                 known[0] += taken
                 known[1] += not_taken
     programs = {header: {line: [name for _, name in sorted(names, reverse=True)] for line, names in of_line.items()}
                 for header, of_line in programs.items()}
     with open(f'{folder}/map.json', 'w') as file:
         json.dump({'seconds': {name: seconds for name, seconds, _, _ in measured}, 'programs': programs,
-                   'sources': {header: open(f'{header}.h').read().split('\n') for header in HEADERS}}, file)
-    enough = report(folder, lines, branches)
+                   'sources': sources}, file)
+    enough = report(folder, sources, lines, branches)
     print(f'{folder}/missed.txt names them')
     sys.exit(0 if enough else f'less than {LEAST} % of something')
 

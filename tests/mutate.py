@@ -11,6 +11,8 @@ judged: a test is missing, or it is equivalent (the results are as good) and goe
 tests/mutants.txt, whose mutants count neither as caught nor as missed. tcc, where it is there, makes this a matter of
 seconds.
 
+A file of src/ that is copied into several headers belongs to the first of them (rooms.py); the mutant is in all copies.
+
 Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
 usage: mutate.py BUILD SEED COUNT [HEADER...] from the top of the project, after coverage.py; COUNT of each header
@@ -29,7 +31,8 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from queue import Queue
 
-HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
+from rooms import HEADERS, owners
+
 MANY = 10
 SLOW = 6 # seconds
 TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc', '-O1'] # the one compiles in no time, the other takes everything
@@ -100,9 +103,10 @@ def passes(folder, limit):
     return not program.returncode
 
 
-def write(folder, header, text):
-    with open(f'{folder}/{header}.h', 'w') as file:
-        file.write(text)
+def write(folder, headers):
+    for header, lines in headers.items():
+        with open(f'{folder}/{header}.h', 'w') as file:
+            file.write('\n'.join(lines))
 
 
 COMPILERS = {}
@@ -119,19 +123,20 @@ def compiler_of(folder, name, seconds):
     sys.exit(f'{name} fails without a mutant')
 
 
-def judge(folder, header, right, text, programs, seconds):
-    """'caught', 'stillborn' (does not compile), or 'survived'; the right header is put back afterwards."""
+def judge(folder, right, wrong, programs, seconds):
+    """'caught', 'stillborn' (does not compile), or 'survived', of the headers wrong, {header: lines}; the headers right
+    are put back afterwards."""
     verdict = 'survived'
     for name in programs:
         if name not in COMPILERS:
             COMPILERS[name] = compiler_of(folder, name, seconds[name])
         compiler, limit = COMPILERS[name]
-        write(folder, header, text)
+        write(folder, wrong)
         if not built(folder, name, compiler):
             verdict = 'stillborn'
         elif not passes(folder, limit):
             verdict = 'caught'
-        write(folder, header, right)
+        write(folder, right)
         if verdict != 'survived':
             break
     return verdict
@@ -173,12 +178,15 @@ def in_copy(folders, work, *arguments):
         folders.put(folder)
 
 
-def controls(folders, chosen, sources, seconds):
+def controls(folders, chosen, sources, programs, seconds):
+    """As they are, the headers must pass; with |x| = -x they must not. The program is one that executes most lines."""
+    wrong = {header: [re.sub(r'(#define VM_FABS\(x\)) .*', r'\1 (-(x))', line) for line in sources[header]]
+             for header in HEADERS}
     for header in chosen:
-        text = '\n'.join(sources[header])
-        end = text.index('#define VM_NAN')
-        wrong = text[:end] + '#undef VM_FABS\n#define VM_FABS(x) (-(x))\n' + text[end:]
-        verdicts = [in_copy(folders, judge, header, text, some, [header], seconds) for some in (text, wrong)]
+        lines_of = Counter(name for names in programs[header].values() for name in names
+                           if seconds[name] < SLOW and not flags_of(name))
+        program = lines_of.most_common(1)[0][0]
+        verdicts = [in_copy(folders, judge, sources, headers, [program], seconds) for headers in (sources, wrong)]
         if verdicts != ['survived', 'caught']:
             sys.exit(f'{header}.h: the controls are not as they must be: {verdicts}')
 
@@ -204,9 +212,11 @@ def main():
     places = {header: [(header, line) for line in sorted(executed[header]) if codes[header][line - 1].strip()]
               for header in chosen}
     mutants = [draw(rng, codes, places[header]) for _ in range(count) for header in chosen]
-    folders, equivalent = prepared(build), known_equivalent()
+    folders, equivalent, copies = prepared(build), known_equivalent(), {}
+    for place, first in owners(sources).items():
+        copies.setdefault(first, []).append(place)
     with ThreadPoolExecutor(WORKERS) as pool:
-        controls(folders, chosen, sources, known['seconds'])
+        controls(folders, chosen, sources, executed, known['seconds'])
 
         def verdict_of(mutant):
             header, line, kind, start, end, new = mutant
@@ -214,9 +224,10 @@ def main():
             text = old[:start] + new + old[end:]
             if (header, old.strip(), text.strip()) in equivalent:
                 return 'equivalent', mutant, text
-            whole = '\n'.join(sources[header][:line - 1] + [text] + sources[header][line:])
-            return in_copy(folders, judge, header, '\n'.join(sources[header]), whole,
-                           in_order(header, executed[header][line], known['seconds']),
+            wrong = {header: list(lines) for header, lines in sources.items()}
+            for copy, place in copies[header, line]:
+                wrong[copy][place - 1] = text
+            return in_copy(folders, judge, sources, wrong, in_order(header, executed[header][line], known['seconds']),
                            known['seconds']), mutant, text
 
         verdicts = {header: Counter() for header in chosen}
