@@ -15,12 +15,13 @@ few=$(for test in $every; do case $test in rk4 | pairs | adaptive | dense | even
 # several times as long where other work shares the machine.
 limit=3600
 passed=0 failed=0 skipped=0
-rm -rf "$build" && mkdir -p "$build" || exit 1
+rm -rf "$build" && mkdir -p "$build/declared" || exit 1
+for header in jacobi.h ateb.h integrators.h varmass.h; do awk -f tests/declared.awk $header >"$build/declared/$header"; done
 c99="-std=c99 -ffp-contract=off"
-cortex="-nostartfiles -T tests/cross/cortex_m.ld -ffunction-sections -Wl,--gc-sections tests/cross/cortex_m.c"
+cortex="-nostartfiles -T tests/cross/cortex_m.ld -ffunction-sections -Wl,--gc-sections \$boot"
 large="-Wl,--defsym=FLASH_SIZE=0x400000,--defsym=RAM_SIZE=0x400000"
 small="-Wl,--defsym=FLASH_SIZE=0x40000,--defsym=RAM_SIZE=0x4000"
-riscv="-mcmodel=medany -nostartfiles -T tests/cross/riscv.ld -Wl,--no-warn-rwx-segments tests/cross/riscv.c"
+riscv="-mcmodel=medany -nostartfiles -T tests/cross/riscv.ld -Wl,--no-warn-rwx-segments \$boot"
 line=-DGOLDEN_PUTS=golden_line # the golden program's way without stdio
 semihosting="-nographic -monitor none -serial none -semihosting-config enable=on,target=native"
 
@@ -57,14 +58,24 @@ target() {
     done
 }
 
-# tests NAME PRECISION COMPILE RUN TEST...: the same of the tests, the number of checks that passed in all
+# declared TEST: the headers that the test includes, without the functions' bodies, or varmass.h where only a header of the
+# tests includes one
+declared() {
+    names=$(sed -n 's|^#include "\.\./\([a-z]*\.h\)".*|\1|p' "tests/test_$1.c")
+    for header in ${names:-varmass.h}; do echo "-include $build/declared/$header"; done
+}
+# tests NAME PRECISION COMPILE RUN TEST...: the same of the tests, the number of checks that passed in all. As in make test the
+# headers are compiled once, and the tests are linked with this object.
 tests() {
     name=$1 precision=$2 compile=$3 run=$4 checks=0 bad= flags=
     shift 4
-    out=$build/test.$precision
     [ $precision = float ] && flags=-DVM_USE_FLOAT
+    rm -f "$build/headers.$precision"*
+    (boot= out=$build/headers.$precision source="-DVM_API= -x c -c varmass.h" && eval "$compile") >"$build/headers.log.$precision" 2>&1
+    headers=$(echo "$build/headers.$precision"*)
+    out=$build/test.$precision
     for test in "$@"; do
-        source=tests/test_$test.c
+        source="-w -include tests/linked.h $(declared "$test" | paste -s -d ' ' -) tests/test_$test.c $headers"
         if ! eval "$compile" >"$out.log" 2>&1; then
             bad="$bad; $test does not compile: $(grep -m 1 -i -E 'error|overflowed' "$out.log")"
             continue
@@ -105,12 +116,14 @@ host() { # host NAME PACKAGES COMPILER [TESTS]
     [ -z "$4" ] || tested "$1" "$3 \$flags \$source -o \$out -lm" "\$out" "$4" "$4"
 }
 arm() { # arm NAME FLAGS MEMORIES BOARD
+    boot=tests/cross/cortex_m.c
     target "$1" "gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm" "$both" \
         "arm-none-eabi-gcc $2 $c99 -Os $line $3 $cortex \$flags \$source -o \$out -lm" \
         "qemu-system-arm -M $4 $semihosting -kernel \$out"
 }
 difference() { # difference NAME FLAGS BOARD
-    arm-none-eabi-gcc $2 $c99 -Os $cortex tests/cross/subtraction.c -o "$build/subtraction" 2>"$build/log" || return
+    boot=tests/cross/cortex_m.c
+    eval "arm-none-eabi-gcc $2 $c99 -Os $cortex tests/cross/subtraction.c -o $build/subtraction" 2>"$build/log" || return
     echo "1 - 3deee0f145d53f12 on $1: $(timeout 60 qemu-system-arm -M $3 $semihosting -kernel "$build/subtraction" 2>&1 </dev/null |
         tr -d '\r')"
 }
@@ -127,10 +140,12 @@ arm_sums() { # arm_sums NAME FLAGS MEMORIES BOARD
     arm "$1, sums for Cortex-M0" "$2" "$3 $sums" "$4"
 }
 arm_tests() { # arm_tests NAME FLAGS BOARD "TESTS OF DOUBLE": newlib's console by semihosting
+    boot=tests/cross/cortex_m.c
     tested "$1" "arm-none-eabi-gcc $2 $c99 -O1 -DNEWLIB_CONSOLE --specs=rdimon.specs $large $cortex \$flags \$source -o \$out -lm" \
         "qemu-system-arm -M $3 $semihosting -kernel \$out" "$4" "$most"
 }
 risc() { # risc NAME FLAGS QEMU "TESTS OF DOUBLE"
+    boot=tests/cross/riscv.c
     board="riscv64-unknown-elf-gcc $2 $c99 --specs=picolibc.specs $riscv \$flags \$source -o \$out -lm"
     emulator="$3 -M virt -bios none $semihosting -kernel \$out"
     target "$1" "gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc" "$both" "$board -Os $line" "$emulator"
