@@ -148,7 +148,7 @@ static inline int fault_try(const fault_row *row, outcome *o)
     if (row->rhs) status = row->rhs(1, fault_state, out, &object);
     else status = row->call(&object, out);
     if (status < 0 && !fault_is_untouched(row->n, out)) o->sound = 0;
-    if (status < 0 && memcmp(&object, &before, sizeof object) != 0) o->sound = 0;
+    if (status < 0 && !same_bytes(&object, &before, sizeof object)) o->sound = 0;
     o->result = (double)fault_sum(row->n, out);
     return status;
 }

@@ -208,7 +208,7 @@ static void test_refusals(void)
     int k;
     q.vibrations[0] = 0;
     before = q;
-    CHECK(vm_grounded_pair_init(&q) == VM_BAD_ARGUMENT && memcmp(&q, &before, sizeof q) == 0);
+    CHECK(vm_grounded_pair_init(&q) == VM_BAD_ARGUMENT && same_bytes(&q, &before, sizeof q));
     q.vibrations[0] = 10;
     CHECK(vm_grounded_pair_rhs(0, y, d, &q) == VM_BAD_ARGUMENT && vm_grounded_pair_init(NULL) == VM_BAD_ARGUMENT);
     q = p;

@@ -364,7 +364,7 @@ static void test_refusals(void)
     q = p;
     q.periods = 10;
     before = q;
-    CHECK(vm_periodic_init(&q) == VM_BAD_ARGUMENT && memcmp(&q, &before, sizeof q) == 0);
+    CHECK(vm_periodic_init(&q) == VM_BAD_ARGUMENT && same_bytes(&q, &before, sizeof q));
     q = p;
     q.sine[9] = VM_NAN;
     CHECK(vm_periodic_init(&q) == VM_NOT_FINITE && vm_periodic_averaged_rhs(0, y, d, &q) == VM_NOT_FINITE);

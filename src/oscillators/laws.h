@@ -486,20 +486,22 @@ VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm
         status = vmi_law_user_fit(law, t, *length, series);
         halvings++;
     }
-    for (; !status && halvings < most_halvings; halvings++) {
+    if (status) return status;
+    for (; halvings < most_halvings; halvings++) {
         vm_real shorter[VMI_GAUSS];
         tail = vmi_legendre_tail(series);
         least = 64 * VM_EPSILON * VM_SQRT(vmi_legendre_square(series));
         if (!(tail > least)) break;
         least = 4 * tail;
         status = vmi_law_user_fit(law, t, *length / 2, shorter);
+        if (status) return status;
         if (!(vmi_legendre_tail(shorter) < tail / 8)) break;
         *length /= 2;
         for (i = 0; i < VMI_GAUSS; i++) series[i] = shorter[i];
     }
     for (i = 0; i < VMI_GAUSS; i++)
         if (VM_FABS(series[i]) <= least) series[i] = 0;
-    return status;
+    return VM_OK;
 }
 
 /* Writes f and f' from the user's function. For length > 0 it also writes the higher derivatives, from a Legendre
