@@ -31,7 +31,7 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from queue import Queue
 
-from rooms import HEADERS, owners
+from rooms import HEADERS, code_of, owners
 
 MANY = 10
 SLOW = 6 # seconds
@@ -52,13 +52,6 @@ CHANGES = (
     ('integer', r'(?<![\w.])[0-9](?![\w.])', lambda m: str(int(m[0]) + 1)),
     ('choice', r'\? ([^?:,;]+) : ([^?:,;]+)(?=;)', lambda m: f'? {m[2]} : {m[1]}'),
 )
-
-
-def code_of(text):
-    """The text with comments, strings and preprocessor lines blanked, every other character where it was."""
-    def blank(found):
-        return re.sub(r'[^\n]', ' ', found[0])
-    return re.sub(r'(?m)^[ \t]*#.*', blank, re.sub(r'/\*.*?\*/|"[^"\n]*"', blank, text, flags=re.S))
 
 
 def draw(rng, codes, places):
@@ -191,9 +184,16 @@ def controls(folders, chosen, sources, programs, seconds):
             sys.exit(f'{header}.h: the controls are not as they must be: {verdicts}')
 
 
-def known_equivalent():
+def known_equivalent(sources, owner):
+    """{(header, line, line of the mutant)}, of tests/mutants.txt, where each line must be one of its header's own."""
     with open('tests/mutants.txt') as file:
-        return {tuple(line.split('\t')[:3]) for line in file if not line.startswith('#')}
+        known = {tuple(line.split('\t')[:3]) for line in file if not line.startswith('#')}
+    own = {(owner[header, number][0], text.strip()) for header in HEADERS
+           for number, text in enumerate(sources[header], 1)}
+    for header, line, _ in known:
+        if (header, line) not in own:
+            sys.exit(f'tests/mutants.txt: {header}.h has no such line: {line}')
+    return known
 
 
 def main():
@@ -212,8 +212,9 @@ def main():
     places = {header: [(header, line) for line in sorted(executed[header]) if codes[header][line - 1].strip()]
               for header in chosen}
     mutants = [draw(rng, codes, places[header]) for _ in range(count) for header in chosen]
-    folders, equivalent, copies = prepared(build), known_equivalent(), {}
-    for place, first in owners(sources).items():
+    owner, copies = owners(sources), {}
+    folders, equivalent = prepared(build), known_equivalent(sources, owner)
+    for place, first in owner.items():
         copies.setdefault(first, []).append(place)
     with ThreadPoolExecutor(WORKERS) as pool:
         controls(folders, chosen, sources, executed, known['seconds'])

@@ -1,4 +1,4 @@
-"""Which lines of the four headers are copies of each other.
+"""Which lines of the four headers are code, and which are copies of each other.
 
 A file of src/ that several headers need is copied into each of them, inside a guard of its own, such as
 VARMASS_BASE_WORDS_H. A program that includes several headers compiles only the first copy. Therefore a tool that asks
@@ -7,6 +7,13 @@ which lines the tests execute must take the copies together: owners() names one 
 import re
 
 HEADERS = ('jacobi', 'ateb', 'integrators', 'varmass')
+
+
+def code_of(text):
+    """The text with comments, strings and preprocessor lines blanked, every other character where it was."""
+    def blank(found):
+        return re.sub(r'[^\n]', ' ', found[0])
+    return re.sub(r'(?m)^[ \t]*#.*', blank, re.sub(r'/\*.*?\*/|"[^"\n]*"', blank, text, flags=re.S))
 
 
 def files_of(lines):

@@ -88,6 +88,38 @@ static void test_extreme_times(void)
     CHECK(rk45_init(&s, linear_rhs, NULL, 3, -VM_MAX, y0, NULL, work) == ODE_OK && rk45_solve(&s, VM_MAX) < 0);
 }
 
+/* y' = cos t */
+static int cosine_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)y;
+    (void)ctx;
+    dydt[0] = VM_LIBM(cos)(t);
+    return 0;
+}
+
+/* The first step of y' = -y and of y' = y is within a factor of 2 of (0.01 tol)^(1/order) s, where tol is the tolerance.
+   From y = 0 nothing tells the time scale of the problem, and the first step is 1e-4 s. */
+static void test_first_steps(void)
+{
+    const double tolerance = is_float ? 1e-3 : 1e-6;
+    vm_real work[RK87_WORK(1)], start = 1, zero = 0;
+    rk45_options o = {0};
+    rk45 s;
+    int m, sign;
+    o.rtol = o.atol = R(tolerance / 2);
+    for (m = 0; m < METHODS; m++) {
+        const double expected = pow(0.01 * tolerance, 1.0 / methods[m].order);
+        for (sign = -1; sign <= 1; sign += 2) {
+            vm_real rate = (vm_real)sign;
+            CHECK(methods[m].init(&s, decay_rhs, &rate, 1, 0, &start, &o, work) == ODE_OK);
+            CHECK(methods[m].step(&s) == ODE_OK && s.rejected == 0);
+            check_error("first step", methods[m].name, "log2", fabs(log((double)s.t / expected)) / log(2.0), 1, rate, 0);
+        }
+        CHECK(methods[m].init(&s, cosine_rhs, NULL, 1, 0, &zero, &o, work) == ODE_OK);
+        CHECK(methods[m].step(&s) == ODE_OK && fabs((double)s.t / 1e-4 - 1) < 1e-3);
+    }
+}
+
 /* Where steps are rejected, max_steps counts them too. */
 static void test_rejected_steps(void)
 {
@@ -726,6 +758,7 @@ int main(void)
     test_arenstorf();
     test_step_sizes();
     test_extreme_times();
+    test_first_steps();
     test_rejected_steps();
     test_power();
     test_clock();

@@ -356,13 +356,13 @@ static void test_zeros_of_triangles(void)
 }
 
 /* A zero of ca at which a float of |s| < 100 Pi_alpha is very close, for an alpha so large that Pi_alpha comes from its
-   series: ca by mpmath with 50 digits */
+   series: ca by mpmath with 50 digits. The error is 0.2 ulp; a wrong low word in the series causes 1.8 ulp. */
 static void test_zero_of_large_alpha(void)
 {
     const vm_real s = VM_C(1141565.125), alpha = VM_C(43075.54296875);
     vm_real sa, ca;
     ateb_saca(s, alpha, &sa, &ca);
-    check_error("ca", "s near 53 Pi/2", "ulp", ERROR_ULP(ca, 2.3980420430227674508e-9, 0), 8, (double)s, (double)alpha);
+    check_error("ca", "s near 53 Pi/2", "ulp", ERROR_ULP(ca, 2.3980420430227674508e-9, 0), 1, (double)s, (double)alpha);
 }
 
 /* The limits, which are approached as alpha or 1/alpha: parabolas, and tanh; and no alpha differs from its

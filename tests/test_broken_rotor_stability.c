@@ -377,10 +377,13 @@ static void test_eigenvalues_near_resonance(void)
     }
 }
 
-/* The polynomial solver where the rotor does not lead: z^3, and two complex roots that are almost one real root */
+/* The polynomial solver where the rotor does not lead: z^3, two complex roots that are almost one real root, and a real
+   root between two complex ones: (z - 1)((z - 1)^2 + gap^2) */
 static void test_polynomial_solver(void)
 {
     const vm_real cube[4] = {2, 0, 0, 0}, offset = VM_SQRT(VM_EPSILON) * 12;
+    const vm_real gap = is_float ? R(0.125) : R(0.0009765625);
+    const vm_real between[4] = {1, -3, 3 + gap * gap, -1 - gap * gap};
     vm_real pair[3] = {1, -2, 1}, re[3] = {7, 7, 7}, im[3] = {7, 7, 7};
     int k;
     vmi_poly_roots(3, cube, re, im);
@@ -389,6 +392,9 @@ static void test_polynomial_solver(void)
     vmi_poly_roots(2, pair, re, im);
     CHECK(im[0] == -im[1] && re[0] == re[1]);
     CHECK(fabs((double)(im[0] / offset) - 1) < 0.125 && fabs((double)re[0] - 1) < (double)offset);
+    vmi_poly_roots(3, between, re, im);
+    CHECK(im[0] == 0 && im[1] == -im[2] && fabs((double)(im[1] / gap) - 1) < 0.001);
+    for (k = 0; k < 3; k++) CHECK(fabs((double)re[k] - 1) < 0.001 * (double)gap);
 }
 
 /* ---- Stability (82) ---- */

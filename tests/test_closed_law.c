@@ -83,6 +83,7 @@ static void judge_table(const slow_case *cases, int count, int order, judgement 
                 j->unknown++;
                 continue;
             }
+            CHECK(c.error <= R(0.25)); /* a larger estimate says nothing, and is given as infinite */
             judge(j, slow_error(cases + k, &o, i, &m), (double)c.error);
         }
     }

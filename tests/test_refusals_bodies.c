@@ -794,6 +794,76 @@ static void test_statuses(void)
     CHECK(strcmp(vm_strerror(VM_NOT_JOINED - 1), vm_strerror(99)) == 0);
 }
 
+/* ---- Vectors, a compound pendulum, a rotation in one call ---- */
+
+static int turned(trial *a, int back)
+{
+    vm_quat q;
+    vm_vec3 x;
+    take(a, &q, sizeof q);
+    take(a, &x, sizeof x);
+    x = back ? vm_rotate_back(q, x) : vm_rotate(q, x);
+    CHECK((x.x == x.x) == (x.y == x.y) && (x.y == x.y) == (x.z == x.z));
+    return value(a, x.x);
+}
+
+static int rotate(trial *a) { return turned(a, 0); }
+static int rotate_back(trial *a) { return turned(a, 1); }
+
+static int euler_rates(trial *a)
+{
+    vm_vec3 omega;
+    const vm_real psi = next(a), theta = next(a);
+    take(a, &omega, sizeof omega);
+    return vm_euler_313_rates(psi, theta, omega, OUT(0, vm_real, 0));
+}
+
+static int compound_cut(trial *a)
+{
+    vm_compound_pendulum p;
+    vm_compound_part part;
+    take(a, &p, sizeof p);
+    take(a, &part, sizeof part);
+    return vm_compound_pendulum_separate(POINTER(0, &p), POINTER(1, &part), OUT(2, vm_compound_cut, 0));
+}
+
+static int rotation_of(trial *a)
+{
+    vm_body b;
+    take(a, &b, sizeof b);
+    return vm_torque_free_rotation(POINTER(0, &b), next(a), OUT(1, vm_body, 0));
+}
+
+static void test_other_motions(void)
+{
+    const vm_compound_pendulum bar = {3, 4, 0, 1, 1};
+    const vm_compound_part whole_inertia = {1, 4, 0, 0, 0, 0, 0};
+    vm_compound_cut cut;
+    REFUSES(rotate, 0, R(0.7), R(0.1), R(0.2), R(0.3), 1, 2, 3);
+    REFUSES(rotate_back, 0, R(0.7), R(0.1), R(0.2), R(0.3), 1, 2, 3);
+    REFUSES(euler_rates, 1, 1, R(0.5), 1, 2, 3);
+    REFUSES(compound_cut, 3, 3, 4, R(0.7), R(0.6), R(1.3), R(0.75), R(0.02), R(0.2), R(0.3), R(0.4), R(-0.25), R(0.6));
+    REFUSES_SPOILED(rotation_of, 2, BODY, 1);
+    CHECK(vm_compound_pendulum_separate(&bar, &whole_inertia, &cut) == VM_BAD_INERTIA);
+}
+
+/* The right-hand sides of a rotor that cannot be */
+static void test_impossible_rotors(void)
+{
+    vm_real y[VM_BROKEN_ROTOR_STATES] = {1, 1, 1, 1, 1, 1}, d[VM_BROKEN_ROTOR_STATES] = {0};
+    const vm_broken_rotor good = {ROTOR};
+    vm_broken_rotor r = good;
+    CHECK(vm_broken_rotor_rhs(0, y, d, &r) == 0 && vm_broken_rotor_polar_rhs(0, y, d, &r) == 0);
+    r.mass = 0;
+    d[0] = 7;
+    CHECK(vm_broken_rotor_rhs(0, y, d, &r) == VM_BAD_MASS && vm_broken_rotor_polar_rhs(0, y, d, &r) == VM_BAD_MASS);
+    r = good;
+    y[VM_BROKEN_ROTOR_RADIUS] = VM_NAN;
+    CHECK(vm_broken_rotor_polar_rhs(0, y, d, &r) == VM_NOT_FINITE);
+    y[VM_BROKEN_ROTOR_RADIUS] = 0;
+    CHECK(vm_broken_rotor_polar_rhs(0, y, d, &r) == VM_DOMAIN && d[0] == 7);
+}
+
 int main(void)
 {
     test_jumps();
@@ -815,5 +885,7 @@ int main(void)
     test_torque_free();
     test_torque_free_limits();
     test_statuses();
+    test_other_motions();
+    test_impossible_rotors();
     return check_finish("refusals bodies");
 }

@@ -90,6 +90,61 @@ static void test_jacobi_domain(void)
     CHECK(isnan(sn) || fabs((double)sn - tanh(1)) < 4 * (double)VM_EPSILON);
 }
 
+/* Does this compiler and this machine compute as the headers need? Only then the other tests mean something. */
+static void test_self_check(void) { CHECK(vm_self_check() == 1); }
+
+/* Carlson's integrals of numbers that are negative, 0, infinite, or so far apart that a scale loses one of them */
+static void test_carlson_domain(void)
+{
+    const vm_real tiny = VM_MIN, huge = VM_MAX / 8, inf = VM_INFINITY;
+    CHECK(isnan(jacobi_RF(1, -1, 2)) && isnan(jacobi_RD(1, -1, 2)) && isnan(jacobi_RJ(1, -1, 2, 3)));
+    CHECK(isnan(jacobi_RJ(1, 2, -1, 3)) && isnan(jacobi_RJ(1, 2, 3, VM_NAN)));
+    CHECK(jacobi_RJ(0, 0, 1, 2) == inf && jacobi_RJ(1, 0, 0, 2) == inf && jacobi_RJ(0, 1, 0, 2) == inf);
+    CHECK(jacobi_RJ(1, 2, 3, 0) == inf && jacobi_RJ(1, inf, 3, 2) == 0 && isnan(jacobi_RJ(inf, 2, 3, 0)));
+    CHECK(isnan(jacobi_RD(1, tiny, huge)) && isnan(jacobi_RD(tiny, 1, huge)) && isnan(jacobi_RD(1, huge, tiny)));
+    CHECK(isnan(jacobi_RJ(1, tiny, huge, 2)) && isnan(jacobi_RJ(tiny, 1, huge, 2)) && isnan(jacobi_RJ(huge, 1, tiny, 2)));
+    CHECK(isnan(jacobi_RJ(1, 2, huge, tiny)));
+}
+
+/* Pi where its characteristic n, m or the angle is infinite: 0, infinity or NaN, as the comments say */
+static void test_Pi_domain(void)
+{
+    const vm_real inf = VM_INFINITY, half = R(0.5);
+    CHECK(jacobi_Pi(inf, half) == 0 && jacobi_Pi(-inf, half) == 0 && isnan(jacobi_Pi(inf, 1)));
+    CHECK(jacobi_Pi(half, -inf) == 0 && isnan(jacobi_Pi(2, -inf)) && isnan(jacobi_Pi(inf, -inf)));
+    CHECK(isnan(jacobi_Pi(half, 2)) && isnan(jacobi_Pi(VM_NAN, half)));
+    CHECK(jacobi_Pi_incomplete(1, inf, half) == 0 && jacobi_Pi_incomplete(1, half, -inf) == 0);
+    CHECK(jacobi_Pi_incomplete(inf, half, half) == inf && jacobi_Pi_incomplete(-inf, half, half) == -inf);
+    CHECK(isnan(jacobi_Pi_incomplete(inf, inf, half)) && isnan(jacobi_Pi_incomplete(VM_NAN, inf, half)));
+    CHECK(isnan(jacobi_Pi_incomplete(1, inf, 1)));
+    CHECK(isnan(jacobi_Pi_incomplete(1, 2, -inf)));
+}
+
+/* The inverse functions where x or m is out of their domain, and at the limits of m */
+static void test_inverse_domain(void)
+{
+    const vm_real inf = VM_INFINITY, half = R(0.5);
+    CHECK(isnan(jacobi_inverse_sn(2, half)) && isnan(jacobi_inverse_cn(2, half)) && isnan(jacobi_inverse_dn(2, half)));
+    CHECK(isnan(jacobi_inverse_sn(half, 2)) && isnan(jacobi_inverse_cn(half, 2)) && isnan(jacobi_inverse_dn(half, 2)));
+    CHECK(jacobi_inverse_sn(half, -inf) == 0 && jacobi_inverse_cn(half, -inf) == 0);
+    CHECK(jacobi_inverse_sn(1, 1) == inf && jacobi_inverse_sn(-1, 1) == -inf);
+    CHECK(fabs((double)jacobi_inverse_sn(half, 1) - atanh(0.5)) < 8 * (double)VM_EPSILON);
+    CHECK(jacobi_inverse_cn(0, 1) == inf && isnan(jacobi_inverse_cn(-half, 1)));
+    CHECK(fabs((double)jacobi_inverse_cn(half, 1) - acosh(2)) < 8 * (double)VM_EPSILON);
+    CHECK(jacobi_inverse_dn(0, 1) == inf && jacobi_inverse_dn(1, half) == 0);
+    CHECK(fabs((double)jacobi_inverse_dn(half, 1) - acosh(2)) < 8 * (double)VM_EPSILON);
+}
+
+/* Angles of so many turns that their last digit is more than a turn: the integrals grow as their mean does. */
+static void test_many_turns(void)
+{
+    const vm_real turns = 4 / (VM_EPSILON * VM_EPSILON), m = R(0.5);
+    const double K = (double)jacobi_K(m), E = (double)jacobi_E(m), quarters = (double)turns / (acos(-1) / 2);
+    CHECK(fabs((double)jacobi_F(turns, m) / (quarters * K) - 1) < 8 * (double)VM_EPSILON);
+    CHECK(fabs((double)jacobi_F(-turns, m) / (quarters * K) + 1) < 8 * (double)VM_EPSILON);
+    CHECK(fabs((double)jacobi_E_incomplete(turns, m) / (quarters * E) - 1) < 8 * (double)VM_EPSILON);
+}
+
 /* Incomplete beta functions of x and y that do not add up to 1, or are not between 0 and 1 */
 static void test_beta_domain(void)
 {
@@ -100,6 +155,7 @@ static void test_beta_domain(void)
     CHECK(isnan(p) && isnan(q) && isnan(ln));
     ateb_beta_inc_both(R(-0.5), R(1.5), 2, 3, &p, &q);
     CHECK(isnan(p) && isnan(q));
+    CHECK(isnan(ateb_ln_beta(R(1e31), 2)) && isnan(ateb_ln_beta(2, R(1e31))));
 }
 
 /* ---- Integrators ---- */
@@ -262,7 +318,12 @@ static void test_first_step(void)
 int main(void)
 {
     test_special_functions();
+    test_self_check();
     test_jacobi_domain();
+    test_carlson_domain();
+    test_Pi_domain();
+    test_inverse_domain();
+    test_many_turns();
     test_beta_domain();
     test_texts();
     test_rk4();

@@ -129,6 +129,135 @@ static void test_oscillators(void)
     REFUSES(osc_averaged, 4, R(0.3), R(0.1));
 }
 
+/* ---- Odd elastic forces and closed laws: each number and each pointer spoiled ---- */
+
+static int closed(trial *a)
+{
+    const vm_osc_problem o = osc_problem(a);
+    const vm_real t_end = next(a), t = next(a);
+    static vm_osc_closed c;
+    int status = vm_osc_closed_init(POINTER(0, &c), POINTER(1, &o), 5, t_end);
+    if (!status) status = vm_osc_closed_at(&c, t, OUT(2, vm_real, 0), OUT(3, vm_real, 1));
+    return status;
+}
+
+/* The motion by a route, or the cheapest one for route 0, from a plan of the problem */
+static int planned(trial *a, int route)
+{
+    const vm_osc_problem o = osc_problem(a);
+    const vm_real t = next(a), tolerance = next(a);
+    static vm_osc_plan plan;
+    const int status = vm_osc_plan_init(&plan, &o);
+    if (status) return status;
+    if (route == 0) return vm_osc_plan_within(POINTER(0, &plan), t, tolerance, OUT(1, vm_osc_motion, 0));
+    return vm_osc_plan_by_route(POINTER(0, &plan), route, t, tolerance, OUT(1, vm_osc_motion, 0));
+}
+
+static int planned_within(trial *a) { return planned(a, 0); }
+static int planned_mean(trial *a) { return planned(a, VM_ROUTE_ATEB); }
+static int planned_collocation(trial *a) { return planned(a, VM_ROUTE_COLLOCATION); }
+
+static int duffing_period(trial *a)
+{
+    const vm_real x0 = next(a), c1 = next(a);
+    return value(a, vm_duffing_period(x0, c1, next(a)));
+}
+
+static int duffing_action(trial *a)
+{
+    const vm_real x0 = next(a), c1 = next(a);
+    return value(a, vm_duffing_action(x0, c1, next(a)));
+}
+
+static int duffing_exact(trial *a)
+{
+    const vm_real t = next(a), x0 = next(a), v0 = next(a), c1 = next(a);
+    vm_real x = 0, v = 0;
+    vm_duffing_exact_from(t, x0, v0, c1, next(a), POINTER(0, &x), POINTER(1, &v));
+    if (x == 0 && v == 0) return -1; /* nothing written */
+    CHECK((x == x) == (v == v));
+    return value(a, x);
+}
+
+/* The force of a Duffing oscillator, without its closed forms */
+static int rising(vm_real x, vm_real *F, void *ctx)
+{
+    const vm_real *k = (const vm_real *)ctx;
+    *F = k[0] * x + k[1] * x * x * x;
+    return 0;
+}
+
+static int odd_exact(trial *a)
+{
+    vm_real k[2], t, x0;
+    vm_odd_force force;
+    take(a, k, sizeof k);
+    force = vm_odd_force_user(rising, k);
+    t = next(a);
+    x0 = next(a);
+    return vm_odd_exact_from(POINTER(0, &force), t, x0, next(a), OUT(1, vm_real, 0), OUT(2, vm_real, 1));
+}
+
+static int odd_action(trial *a)
+{
+    vm_real k[2];
+    vm_odd_force force;
+    take(a, k, sizeof k);
+    force = vm_odd_force_user(rising, k);
+    return value(a, vm_odd_action(POINTER(0, &force), next(a)));
+}
+
+/* From the trial: k1, k3, reactive, x, v and the laws */
+static vm_odd_problem odd_problem(trial *a)
+{
+    vm_odd_problem o;
+    vm_real f0 = next(a);
+    o.force = vm_duffing_force(f0, next(a));
+    o.reactive = next(a);
+    o.x = next(a);
+    o.v = next(a);
+    f0 = next(a);
+    o.mass = vm_law_linear(f0, next(a));
+    f0 = next(a);
+    o.stiffness = vm_law_linear(f0, next(a));
+    f0 = next(a);
+    o.damping = vm_law_linear(f0, next(a));
+    return o;
+}
+#define ODD 2, 3, 1, R(0.1), R(0.2), 2, R(0.01), 1, R(0.01), R(0.01), R(0.001)
+
+static int odd_rhs(trial *a)
+{
+    vm_odd_problem o = odd_problem(a);
+    vm_real y[2]; /* instead of the problem's x and v, which do not matter here */
+    y[0] = o.x;
+    y[1] = o.v;
+    return vm_odd_rhs(next(a), POINTER(0, y), OUT(1, vm_real, 0), POINTER(2, &o));
+}
+
+static int odd_within(trial *a)
+{
+    const vm_odd_problem o = odd_problem(a);
+    const vm_real t = next(a);
+    a->is_value = 1; /* the amplitude may be none */
+    return vm_odd_within(POINTER(0, &o), t, next(a), OUT(1, vm_odd_motion, 0));
+}
+
+static void test_odd_forces(void)
+{
+    REFUSES(closed, 4, R(0.1), R(0.2), 1, 0, 3, 2, R(0.01), 3, 0, 1, R(0.5));
+    REFUSES_SPOILED(planned_within, 2, PROBLEM, 1, R(0.01));
+    REFUSES_SPOILED(planned_mean, 2, PROBLEM, 1, R(0.01));
+    REFUSES_SPOILED(planned_collocation, 2, PROBLEM, 1, R(0.01));
+    REFUSES(duffing_period, 0, R(0.1), 2, 3);
+    REFUSES(duffing_action, 0, R(0.1), 2, 3);
+    REFUSES(duffing_exact, 2, R(0.3), R(0.1), R(0.2), 2, 3);
+    REFUSES(odd_exact, 3, 2, 3, R(0.3), R(0.1), R(0.2));
+    REFUSES(odd_action, 1, 2, 3, R(0.1));
+    REFUSES(odd_rhs, 3, ODD, R(0.3));
+    REFUSES_SPOILED(odd_within, 2, ODD, R(0.3), R(0.01));
+}
+
 static void test_averaged(void)
 {
     const vm_osc_problem o = a_problem();
@@ -550,6 +679,7 @@ static void test_overflowing_plans(void)
 int main(void)
 {
     test_oscillators();
+    test_odd_forces();
     test_averaged();
     test_laws();
     test_bad_tables();

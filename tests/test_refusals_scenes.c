@@ -878,6 +878,156 @@ static void test_not_started(void)
     }
 }
 
+/* ---- Lists that are none, after the start ---- */
+
+enum { NO_BODIES, NEGATIVE_EFFECTS, NEGATIVE_EVENTS, LISTS };
+
+static void spoil_list(vm_scene *s, int which)
+{
+    if (which == NO_BODIES) s->bodies = NULL;
+    if (which == NEGATIVE_EFFECTS) s->n_effects = -1;
+    if (which == NEGATIVE_EVENTS) s->n_events = -1;
+}
+
+static void test_lists_after_start(void)
+{
+    static stage g;
+    static vm_real rates[NUMBERS];
+    vm_budget book;
+    vm_body now;
+    vm_vec3 r, v;
+    int which;
+    for (which = 0; which < LISTS; which++) {
+        set_stage(&g, 1, 1, 1);
+        g.bodies[0] = vm_scene_body_line(1, 0, 1);
+        g.effects[0] = vm_effect_motor(0, 0, 1, 0);
+        g.events[0] = vm_then_stop(vm_event_at(1));
+        vm_scene_keep_budget(&g.s, &book);
+        CHECK(vm_scene_start(&g.s, 0, g.y, NULL) == VM_OK);
+        vm_scene_body_at(&g.s, VM_GROUND, g.y, &now);
+        CHECK(now.mass != now.mass);
+        spoil_list(&g.s, which);
+        CHECK(vm_scene_run(&g.s, &g.t, 2, g.y, g.work, NULL) == VM_BAD_ARGUMENT && g.t == 0);
+        CHECK(vm_scene_budget_at(&g.s, 0, g.y, &book) == VM_BAD_ARGUMENT);
+        if (which != NEGATIVE_EVENTS) CHECK(vm_scene_rhs(0, g.y, rates, &g.s) == VM_BAD_ARGUMENT && rates[0] == 0);
+        if (which != NO_BODIES) continue;
+        vm_scene_body_at(&g.s, 0, g.y, &now);
+        vm_scene_point_at(&g.s, 0, zero, g.y, &r, &v);
+        CHECK(now.mass != now.mass && r.x != r.x);
+        vm_scene_push_at(&g.s, 0, zero, g.y, along_x);
+        CHECK(g.s.status == VM_BAD_ARGUMENT);
+    }
+}
+
+/* A force on a body that does not exist, or on a scene that was not started; a budget of a state that is none */
+static void test_pushes(void)
+{
+    static stage g;
+    vm_budget book;
+    set_stage(&g, 1, 1, 0);
+    g.bodies[0] = vm_scene_body_line(1, 0, 1);
+    g.effects[0] = vm_effect_motor(0, 0, 1, 0);
+    vm_scene_push_at(&g.s, 0, zero, g.y, along_x);
+    CHECK(g.s.status == VM_BAD_ARGUMENT);
+    vm_scene_keep_budget(&g.s, &book);
+    CHECK(vm_scene_start(&g.s, 0, g.y, NULL) == VM_OK);
+    vm_scene_push_at(&g.s, -2, zero, g.y, along_x);
+    CHECK(g.s.status == VM_NO_SUCH_BODY);
+    g.s.status = VM_OK;
+    vm_scene_push_at(&g.s, 1, zero, g.y, along_x);
+    CHECK(g.s.status == VM_NO_SUCH_BODY);
+    g.s.status = VM_OK;
+    vm_scene_push_at(&g.s, VM_GROUND, zero, g.y, along_x);
+    CHECK(g.s.status == VM_OK);
+    g.y[0] = VM_NAN;
+    CHECK(vm_scene_budget_at(&g.s, 0, g.y, &book) == VM_NOT_FINITE);
+}
+
+/* ---- Numbers of effects that are none ---- */
+
+static void refuses_effect(vm_effect effect, int status)
+{
+    static stage g;
+    set_stage(&g, 2, 1, 0);
+    g.bodies[0] = vm_scene_body_plane(1, 1, zero, 0, zero, 0);
+    g.bodies[1] = vm_scene_body_point(1, along_x, zero);
+    g.effects[0] = effect;
+    CHECK(vm_scene_check(&g.s, NULL) == status);
+}
+
+static void test_spoiled_springs(void)
+{
+    const vm_point_spring good = {{0, 0, 0}, {0, 0, 0}, 1, 1, 1};
+    vm_point_spring spring = good;
+    refuses_effect(vm_effect_point_spring(0, 1, &spring), VM_OK);
+    spring.stiffness = VM_NAN;
+    refuses_effect(vm_effect_point_spring(0, 1, &spring), VM_NOT_FINITE);
+    spring = good;
+    spring.damping = VM_INFINITY;
+    refuses_effect(vm_effect_point_spring(0, 1, &spring), VM_NOT_FINITE);
+    spring = good;
+    spring.rest = VM_NAN;
+    refuses_effect(vm_effect_point_spring(0, 1, &spring), VM_NOT_FINITE);
+}
+
+static void test_spoiled_contacts(void)
+{
+    const vm_contact good = {{0, 0, 0}, 0, {0, -1, 0}, {0, 1, 0}, 1, 1};
+    vm_contact contact = good;
+    refuses_effect(vm_effect_contact(0, &contact), VM_OK);
+    contact.radius = VM_NAN;
+    refuses_effect(vm_effect_contact(0, &contact), VM_NOT_FINITE);
+    contact.radius = -1;
+    refuses_effect(vm_effect_contact(0, &contact), VM_DOMAIN);
+    contact = good;
+    contact.stiffness = VM_INFINITY;
+    refuses_effect(vm_effect_contact(0, &contact), VM_NOT_FINITE);
+    contact = good;
+    contact.on.x = VM_NAN;
+    refuses_effect(vm_effect_contact(0, &contact), VM_NOT_FINITE);
+    contact = good;
+    contact.normal.z = VM_INFINITY;
+    refuses_effect(vm_effect_contact(0, &contact), VM_NOT_FINITE);
+}
+
+/* A law of the mass that no constructor made */
+static void test_unmade_law(void)
+{
+    static const vm_law unmade;
+    const vm_law constant = vm_law_linear(1, 0);
+    refuses_effect(vm_effect_mass_of_time(1, &constant, zero, 1), VM_OK);
+    refuses_effect(vm_effect_mass_of_time(1, &unmade, zero, 1), VM_BAD_ARGUMENT);
+}
+
+/* Two masses at the same place attract each other with a force that is not finite. */
+static void test_masses_at_one_place(void)
+{
+    static stage g;
+    static vm_real rates[NUMBERS];
+    set_stage(&g, 2, 1, 0);
+    g.bodies[0] = vm_scene_body_point(1, zero, zero);
+    g.bodies[1] = vm_scene_body_point(1, zero, zero);
+    g.effects[0] = vm_effect_gravitation(0, 1, 1);
+    CHECK(vm_scene_start(&g.s, 0, g.y, NULL) == VM_OK);
+    CHECK(vm_scene_rhs(0, g.y, rates, &g.s) == VM_OK && g.s.status == VM_NOT_FINITE && rates[0] != rates[0]);
+}
+
+/* A body on an axle without inertia, and a mass of the state that is used up */
+static void test_nothing_to_accelerate(void)
+{
+    static stage g;
+    static vm_real rates[NUMBERS];
+    set_stage(&g, 1, 1, 0);
+    g.bodies[0] = vm_scene_body_axle(0, 0, 1);
+    g.effects[0] = vm_effect_motor(0, 0, 1, 0);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_INERTIA);
+    g.bodies[0] = vm_scene_body_with_mass_state(vm_scene_body_line(2, 0, 1));
+    g.effects[0] = vm_effect_stream(0, -1, zero, 1);
+    CHECK(vm_scene_start(&g.s, 0, g.y, NULL) == VM_OK);
+    g.y[g.bodies[0].mass_at] = 0;
+    CHECK(vm_scene_rhs(0, g.y, rates, &g.s) == VM_OK && g.s.status == VM_BAD_MASS && rates[0] != rates[0]);
+}
+
 int main(void)
 {
     test_spoiled_scenes();
@@ -904,5 +1054,12 @@ int main(void)
     test_ends_of_runs();
     test_sizes_of_scenes();
     test_not_started();
+    test_lists_after_start();
+    test_pushes();
+    test_spoiled_springs();
+    test_spoiled_contacts();
+    test_unmade_law();
+    test_masses_at_one_place();
+    test_nothing_to_accelerate();
     return check_finish("refusals scenes");
 }

@@ -134,6 +134,241 @@ static int adiabaticity(trial *a)
     return value(a, vm_adiabaticity(&o, t, A));
 }
 
+/* A rotor with every number of the next ones: gyro, reactive, both parts of u, and the law of the mass */
+static vm_jeffcott next_laval(trial *a)
+{
+    vm_jeffcott r = a_laval();
+    r.gyro = next(a);
+    r.reactive = next(a);
+    r.u.re = next(a);
+    r.u.im = next(a);
+    r.mass = next_law(a);
+    return r;
+}
+
+static int laval_split(trial *a)
+{
+    static const vm_power_force linear = {2, 1};
+    vm_jeffcott r = a_laval();
+    vm_real motion[4], t;
+    r.stiffness_ctx = (void *)&linear;
+    r.mass = next_law(a);
+    take(a, motion, sizeof motion);
+    t = next(a);
+    return vm_jeffcott_to_averaged(POINTER(0, &r), t, POINTER(1, motion), next(a), OUT(2, vm_real, 0));
+}
+
+static int laval_join(trial *a)
+{
+    static const vm_power_force linear = {2, 1};
+    vm_jeffcott r = a_laval();
+    vm_real y[5];
+    r.stiffness_ctx = (void *)&linear;
+    r.mass = next_law(a);
+    take(a, y, sizeof y);
+    return vm_jeffcott_from_averaged(POINTER(0, &r), next(a), POINTER(1, y), OUT(2, vm_real, 0));
+}
+
+static int laval_whirl_amplitude(trial *a)
+{
+    const vm_real first_A = next(a), mass0 = next(a), mass = next(a);
+    vm_jeffcott r = a_laval();
+    r.gyro = next(a);
+    r.reactive = next(a);
+    return value(a, vm_jeffcott_whirl_amplitude(POINTER(0, &r), first_A, mass0, mass, 1));
+}
+
+/* mass0 and mass where vm_jeffcott_amplitude has no closed form, too: both without spoiled numbers */
+static int laval_whirl(trial *a)
+{
+    vm_jeffcott r = next_laval(a);
+    const vm_real A = next(a), angle = next(a);
+    r.u.re -= 1; /* good numbers are not 0 */
+    r.u.im -= 1;
+    return vm_jeffcott_whirl_at(POINTER(0, &r), A, angle, 1, next(a), OUT(1, vm_jeffcott_whirl, 0));
+}
+
+static int laval_linear(trial *a)
+{
+    static const vm_power_force linear = {2, 1};
+    vm_jeffcott r = next_laval(a);
+    vm_real start[4];
+    take(a, start, sizeof start);
+    r.u.re -= 1;
+    r.u.im -= 1;
+    r.stiffness_ctx = (void *)&linear;
+    return vm_jeffcott_linear_at(POINTER(0, &r), POINTER(1, start), next(a), OUT(2, vm_real, 0));
+}
+
+/* Two bodies of different masses, of the next numbers */
+static vm_coupled_pair next_coupled_pair(trial *a, vm_connection *spring)
+{
+    vm_coupled_pair p = a_coupled_pair();
+    spring->k = next(a);
+    spring->alpha = next(a);
+    p.connections = spring;
+    p.mass[0] = next_law(a);
+    p.mass[1] = next_law(a);
+    p.reactive = next(a);
+    p.damping = next(a);
+    return p;
+}
+
+#define COUPLED 2, 3, 2, R(0.01), 3, R(0.02), 1, R(0.1)
+
+static int coupled_split(trial *a)
+{
+    vm_connection spring;
+    const vm_coupled_pair p = next_coupled_pair(a, &spring);
+    vm_real y[4];
+    take(a, y, sizeof y);
+    return vm_coupled_pair_to_modes(POINTER(0, &p), next(a), POINTER(1, y), OUT(2, vm_real, 0));
+}
+
+static int coupled_join(trial *a)
+{
+    vm_connection spring;
+    const vm_coupled_pair p = next_coupled_pair(a, &spring);
+    vm_real modes[4];
+    take(a, modes, sizeof modes);
+    return vm_coupled_pair_from_modes(POINTER(0, &p), next(a), POINTER(1, modes), OUT(2, vm_real, 0));
+}
+
+/* The pair stays as it was if the oscillator is refused. */
+static int coupled_oscillator(trial *a)
+{
+    static const vm_osc_problem none;
+    vm_connection spring;
+    vm_coupled_pair p = next_coupled_pair(a, &spring);
+    vm_osc_problem o = none;
+    vm_real y[4];
+    int status;
+    take(a, y, sizeof y);
+    status = vm_coupled_pair_oscillator(POINTER(0, &p), POINTER(1, y), POINTER(2, &o));
+    if (status < 0) CHECK(p.momentum == 0 && o.x == 0);
+    return status < 0 ? status : value(a, o.x);
+}
+
+static int forced_curve(trial *a)
+{
+    const vm_forced f = a_forced();
+    const vm_real t = next(a);
+    a->is_value = 1; /* results that overflow are NaN */
+    return vm_forced_curve(POINTER(0, &f), t, next(a), OUT(1, vm_steady_state, 0));
+}
+
+/* The oscillator under a periodic force, with the next numbers as the coefficients of its shape */
+static vm_periodic next_periodic(trial *a)
+{
+    vm_periodic p = a_periodic();
+    take(a, p.cosine, sizeof p.cosine);
+    take(a, p.sine, sizeof p.sine);
+    return p;
+}
+
+#define SHAPE 0, 1, 0, 0, 0, R(0.1), 0, 0, 0, 0, 0, 0, 0, R(0.5), 0, 0, 0, 0, R(0.1), 0
+
+static int periodic_curve(trial *a)
+{
+    const vm_periodic p = next_periodic(a);
+    const vm_real t = next(a);
+    return vm_periodic_curve(POINTER(0, &p), t, next(a), OUT(1, vm_steady_state, 0));
+}
+
+static int periodic_split(trial *a)
+{
+    const vm_periodic p = next_periodic(a);
+    vm_real motion[3];
+    take(a, motion, sizeof motion);
+    return vm_periodic_to_averaged(POINTER(0, &p), next(a), POINTER(1, motion), OUT(2, vm_real, 0));
+}
+
+static int periodic_join(trial *a)
+{
+    const vm_periodic p = next_periodic(a);
+    vm_real y[3];
+    take(a, y, sizeof y);
+    return vm_periodic_from_averaged(POINTER(0, &p), next(a), POINTER(1, y), OUT(2, vm_real, 0));
+}
+
+static int grounded_split(trial *a)
+{
+    vm_grounded_pair p = a_grounded_pair();
+    vm_real motion[4];
+    p.spring = next(a);
+    p.damper = next(a);
+    take(a, motion, sizeof motion);
+    return vm_grounded_pair_to_averaged(POINTER(0, &p), next(a), POINTER(1, motion), OUT(2, vm_real, 0));
+}
+
+static int grounded_join(trial *a)
+{
+    vm_grounded_pair p = a_grounded_pair();
+    vm_real y[4];
+    p.spring = next(a);
+    p.damper = next(a);
+    take(a, y, sizeof y);
+    return vm_grounded_pair_from_averaged(POINTER(0, &p), next(a), POINTER(1, y), OUT(2, vm_real, 0));
+}
+
+/* A Van der Pol oscillator, of the next numbers */
+static vm_vdp next_vdp(trial *a)
+{
+    vm_vdp v = a_vdp();
+    v.k = next(a);
+    v.feed = next(a);
+    v.c = next(a);
+    v.reactive = next(a);
+    v.mass = next_law(a);
+    return v;
+}
+
+#define VDP 2, R(0.1), R(0.2), 1, 2, R(0.01)
+
+static int vdp_plan(trial *a)
+{
+    vm_vdp v = next_vdp(a);
+    vm_vdp_plan plan;
+    vm_osc_motion motion;
+    const vm_real x = next(a), rate = next(a), t = next(a), tolerance = next(a);
+    int status = vm_vdp_init(&v);
+    if (!status) status = vm_vdp_plan_init(POINTER(0, &plan), POINTER(1, &v), x, rate);
+    if (!status) status = vm_vdp_plan_by_route(&plan, VM_ROUTE_ORDER2, t, tolerance, POINTER(2, &motion));
+    return status < 0 ? status : value(a, motion.x);
+}
+
+static int vdp_cycle(trial *a)
+{
+    vm_vdp v = next_vdp(a);
+    int status;
+    status = vm_vdp_init(&v);
+    return status < 0 ? status : vm_vdp_cycle_of(POINTER(0, &v), OUT(1, vm_vdp_cycle, 0));
+}
+
+static void test_rotors(void)
+{
+    REFUSES(laval_split, 3, 2, R(0.01), R(0.1), R(0.2), R(0.3), R(0.4), R(0.5), 1);
+    REFUSES(laval_join, 3, 2, R(0.01), R(0.1), R(0.2), R(0.3), R(0.4), R(0.5), 1);
+    REFUSES_SPOILED(laval_whirl_amplitude, 1, R(0.1), 2, 3, R(0.2), R(0.5));
+    REFUSES_SPOILED(laval_whirl, 2, R(0.2), R(0.5), 1, 1, 2, R(0.01), R(0.1), R(0.2), 3);
+    REFUSES_SPOILED(laval_linear, 3, R(0.2), R(0.5), 1, 1, 2, R(0.01), R(0.1), R(0.2), R(0.3), R(0.4), 3);
+}
+
+static void test_pairs_and_forces(void)
+{
+    REFUSES(coupled_split, 3, COUPLED, R(0.1), R(0.2), R(0.3), R(0.4), 1);
+    REFUSES(coupled_join, 3, COUPLED, R(0.1), R(0.2), R(0.3), R(0.4), 1);
+    REFUSES(coupled_oscillator, 3, COUPLED, R(0.1), R(0.2), R(0.3), R(0.4));
+    REFUSES(forced_curve, 2, 1, R(0.2));
+    REFUSES(periodic_curve, 2, SHAPE, 1, R(-0.7));
+    REFUSES(periodic_split, 3, SHAPE, 1, R(0.2), R(0.3), R(0.4));
+    REFUSES(periodic_join, 3, SHAPE, 1, R(0.2), R(0.3), R(0.4));
+    REFUSES(grounded_split, 3, R(0.001), R(0.001), 1, R(0.9), R(0.2), R(0.3), 1);
+    REFUSES(grounded_join, 3, R(0.001), R(0.001), 1, R(0.2), R(0.9), R(0.3), 1);
+    REFUSES_SPOILED(vdp_plan, 3, VDP, R(0.1), R(0.2), 1, R(0.1));
+    REFUSES(vdp_cycle, 2, 2, R(0.1), R(0.2), 1, 2, 0);
+}
+
 static void test_slow_vibrations(void)
 {
     REFUSES(vdp_init, 1, 3, 2, R(0.1), R(0.2), 1);
@@ -413,6 +648,8 @@ static void test_points_of_broken_step(void)
 int main(void)
 {
     test_slow_vibrations();
+    test_rotors();
+    test_pairs_and_forces();
     test_van_der_pol();
     test_pair();
     test_laval();

@@ -280,6 +280,63 @@ static void test_sizes_of_flows(void)
     CHECK(vm_flow_carried_rhs(0, y, d, &flow) == VM_SHORT_ARRAY);
 }
 
+/* ---- Supplies and orbits ---- */
+
+/* What is left of a supply of the given kind, of the next numbers */
+static int left_of(trial *a, int kind)
+{
+    vm_supply s;
+    s.kind = kind;
+    take(a, &s.at, sizeof s.at);
+    take(a, &s.axis, sizeof s.axis);
+    s.length = next(a);
+    s.radius = next(a);
+    s.bore = next(a);
+    s.full = next(a);
+    return vm_supply_at(POINTER(0, &s), next(a), OUT(1, vm_supply_left, 0));
+}
+
+static int liquid(trial *a) { return left_of(a, VM_TANK_OF_LIQUID); }
+static int gas(trial *a) { return left_of(a, VM_TANK_OF_GAS); }
+static int grain(trial *a) { return left_of(a, VM_GRAIN); }
+
+static int orbit(trial *a)
+{
+    vm_vec3 r, v;
+    const vm_real t = next(a), mu = next(a);
+    take(a, &r, sizeof r);
+    take(a, &v, sizeof v);
+    return vm_orbit(t, mu, r, v, OUT(0, vm_vec3, 0), OUT(1, vm_vec3, 1));
+}
+
+static int orbit_meshchersky(trial *a)
+{
+    vm_vec3 r, v;
+    const vm_real t = next(a), mu = next(a), rate = next(a);
+    take(a, &r, sizeof r);
+    take(a, &v, sizeof v);
+    return vm_orbit_meshchersky(t, mu, rate, r, v, OUT(0, vm_vec3, 0), OUT(1, vm_vec3, 1));
+}
+
+#define SUPPLY R(0.1), R(0.2), R(0.3), 1, 2, 3, 2, R(0.5), R(0.1), 4, 3
+
+static void test_supplies_and_orbits(void)
+{
+    vm_supply unknown;
+    vm_supply_left left;
+    REFUSES(liquid, 2, SUPPLY);
+    REFUSES(gas, 2, SUPPLY);
+    REFUSES(grain, 2, SUPPLY);
+    REFUSES(orbit, 2, 1, 2, 1, R(0.2), R(0.3), R(0.1), 1, R(0.5));
+    REFUSES(orbit, 2, -1, 2, 1, R(0.2), R(0.3), R(0.1), 2, R(0.5)); /* a hyperbola, backward in time */
+    REFUSES(orbit_meshchersky, 2, 1, 2, R(-0.1), 1, R(0.2), R(0.3), R(0.1), 1, R(0.5));
+    memset(&unknown, 0, sizeof unknown);
+    unknown.kind = VM_GRAIN + 1;
+    CHECK(vm_supply_at(&unknown, 1, &left) == VM_BAD_ARGUMENT);
+    unknown.kind = -1;
+    CHECK(vm_supply_at(&unknown, 1, &left) == VM_BAD_ARGUMENT);
+}
+
 /* ---- The drum ---- */
 
 static int drum_at(trial *a)
@@ -339,8 +396,69 @@ static int deflection(trial *a)
     return value(a, vm_drum_deflection(POINTER(0, &s), phi, amplitude, alpha, particular));
 }
 
+static int deflection_start(trial *a)
+{
+    vm_drum_shaft s;
+    const vm_real x = next(a), slope = next(a), particular = next(a);
+    memset(&s, 0, sizeof s);
+    s.k = next(a);
+    s.A = next(a);
+    s.delta = next(a);
+    return vm_drum_deflection_start(POINTER(0, &s), x, slope, particular, OUT(1, vm_real, 0), OUT(2, vm_real, 1));
+}
+
+static int unbalance(trial *a)
+{
+    vm_drum d;
+    take(a, &d, sizeof d);
+    return vm_drum_unbalance(POINTER(0, &d), next(a), OUT(1, vm_real, 0), OUT(2, vm_real, 2));
+}
+
+/* The equations over the angle; the deflections may have any size. */
+static int drum_rhs_angle(trial *a)
+{
+    vm_real y[VM_DRUM_ANGLE_STATES] = {R(0.1), R(0.1), R(0.1), R(0.1)};
+    vm_drum d;
+    take(a, &d, sizeof d);
+    return vm_drum_rhs_angle(next(a), POINTER(0, y), OUT(1, vm_real, 0), POINTER(2, &d));
+}
+
+static int drum_rhs_coupled(trial *a)
+{
+    vm_real y[VM_DRUM_COUPLED_STATES];
+    vm_drum d;
+    int i;
+    for (i = 0; i < VM_DRUM_COUPLED_STATES; i++) y[i] = R(0.1);
+    take(a, &d, sizeof d);
+    y[VM_DRUM_RATE] = next(a);
+    return vm_drum_rhs_coupled(next(a), POINTER(0, y), OUT(1, vm_real, 0), POINTER(2, &d));
+}
+
+#define DRUM R(0.5), 10, 2, R(0.1), 3, R(0.05), 4000, 20
+
+/* Masses that are none, and stiffness below 0; in the order of the struct's members */
+static void test_impossible_drums(void)
+{
+    const vm_drum good = {DRUM};
+    vm_drum_geometry g;
+    vm_real d[VM_DRUM_ANGLE_STATES] = {0}, y[VM_DRUM_ANGLE_STATES] = {0};
+    vm_drum drum = good;
+    drum.stiffness = -1;
+    CHECK(vm_drum_at(&drum, 1, &g) == VM_BAD_STIFFNESS && vm_drum_rhs_angle(1, y, d, &drum) == VM_BAD_STIFFNESS);
+    drum = good;
+    drum.mass = -1;
+    CHECK(vm_drum_at(&drum, 1, &g) == VM_BAD_MASS && vm_drum_rhs_angle(1, y, d, &drum) == VM_BAD_MASS);
+    drum.mass = 0;
+    drum.band = 1; /* the band alone has a mass, but the empty drum none */
+    CHECK(vm_drum_rhs_angle(1, y, d, &drum) == VM_BAD_MASS);
+}
+
 static void test_drum(void)
 {
+    REFUSES(deflection_start, 3, R(0.1), R(0.2), R(0.3), 2, R(0.01), R(0.02));
+    REFUSES(unbalance, 3, DRUM, 1);
+    REFUSES_SPOILED(drum_rhs_angle, 3, DRUM, 1);
+    REFUSES_SPOILED(drum_rhs_coupled, 3, DRUM, 20, 1);
     REFUSES(drum_at, 2, 1, R(0.5), 10, 2, R(0.1));
     REFUSES(drum_rate, 1, 1, R(0.5), 2, R(0.1), 3, R(0.05), 20);
     REFUSES(drum_angle, 1, 1, R(0.5), 2, R(0.1), 3, R(0.05), 20);
@@ -410,6 +528,31 @@ static int frozen_derivative(trial *a)
     return value(a, vm_lagrange_partial_q(POINTER(0, &l), 0, POINTER(1, q), POINTER(2, rates), 1));
 }
 
+static int needed_forces(trial *a)
+{
+    vm_lagrange_system l = system_of_two();
+    vm_real q[2], rates[2], accelerations[2];
+    const vm_real t = next(a), time_scale = next(a);
+    take(a, q, sizeof q);
+    take(a, rates, sizeof rates);
+    take(a, accelerations, sizeof accelerations);
+    return vm_lagrange_needed_forces(POINTER(0, &l), t, time_scale, POINTER(1, q), POINTER(2, rates),
+                                     POINTER(3, accelerations), OUT(4, vm_real, 0));
+}
+
+/* A system at rest, whose masses do not depend on time: nothing tells by which step the momenta are to be compared. */
+static void test_forces_at_rest(void)
+{
+    const vm_real q[2] = {R(0.3), R(0.2)}, rest[2] = {0, 0}, accelerations[2] = {1, 2}, scales[2] = {2, R(0.5)};
+    vm_lagrange_system l = system_of_two();
+    vm_real Q[2] = {0, 0};
+    CHECK(vm_lagrange_needed_forces(&l, 0, 0, q, rest, accelerations, Q) == VM_OK);
+    check_error("needed forces", "at rest", "eps", fabs((double)Q[0] - 2 * 1.09) / eps, 100, 0, 0);
+    l.scales = scales;
+    CHECK(vm_lagrange_needed_forces(&l, 0, 0, q, accelerations, accelerations, Q) == VM_OK);
+    check_error("needed forces", "scales", "eps", fabs((double)Q[0] - 2 * (1.09 + 0.3)) / eps, 1000, 0, 0);
+}
+
 /* Systems that lack something */
 static void test_bad_systems(void)
 {
@@ -433,6 +576,7 @@ static void test_lagrange(void)
     vm_lagrange_system l = system_of_two();
     vm_real derivative, other;
     REFUSES(lagrange_start, 4, 1, R(0.3), R(0.2), 1, 2);
+    REFUSES(needed_forces, 5, 1, 2, R(0.3), R(0.2), 1, 2, 3, 4);
     REFUSES_NULL(lagrange_rates, 3);
     REFUSES_NULL(frozen_derivative, 3);
     CHECK(isnan(vm_lagrange_partial_q(&l, 0, q, rates, -1)) && isnan(vm_lagrange_partial_q(&l, 0, q, rates, 2)));
@@ -451,11 +595,14 @@ int main(void)
     test_updates_that_fail();
     test_flows_without_streams();
     test_sizes_of_flows();
+    test_supplies_and_orbits();
     test_drum();
+    test_impossible_drums();
     test_drum_without_band();
     test_drum_by_lambert();
     test_overflowing_shaft();
     test_lagrange();
+    test_forces_at_rest();
     test_bad_systems();
     return check_finish("refusals streams");
 }

@@ -424,6 +424,32 @@ static void check_rods(void)
            1 + 2 * 3 * gravity * (0.5 - (double)now[2].r.y), 10, 1e-9);
 }
 
+/* Two sliders, each with a point on a rod. One rod ends at the mass centre of its slider, the other beside the mass centre
+   of its slider, and the second point starts as far beside the first one. A slider does not turn: both move alike. */
+static void check_rod_beside_centre(void)
+{
+    const vm_vec3 arm = stage_vec(0.1, 0.2, -0.3), v = stage_vec(0.9, 0.3, 2), r = stage_vec(0.6, -0.8, 0);
+    vm_joint list[2];
+    const vm_joints joints = joints_of(list, 2, 10);
+    int i;
+    stage s;
+    stage_clear(&s, 2);
+    for (i = 0; i < 2; i++) {
+        stage_body(&s, vm_scene_body_line(2, 0, REAL(0.5)));
+        stage_body(&s, vm_scene_body_point(1, i == 0 ? r : vm_add(r, arm), v));
+        stage_effect(&s, vm_effect_gravity(2 * i + 1, 1, REAL(-gravity)));
+        list[i] = vm_joint_rod(2 * i, i == 0 ? origin : arm, 2 * i + 1, origin, 1);
+    }
+    stage_effect(&s, vm_effect_joints(&joints));
+    begin(&s);
+    run(&s, 2, VM_OK);
+    agrees("rod beside centre", "slider", s.y[8], (double)s.y[0], 1, 1e-9);
+    agrees("rod beside centre", "point", s.y[10], (double)(s.y[2] + arm.x), 1, 1e-9);
+    agrees("rod beside centre", "point", s.y[11], (double)(s.y[3] + arm.y), 1, 1e-9);
+    agrees("rod beside centre", "point", s.y[12], (double)(s.y[4] + arm.z), 1, 1e-9);
+    CHECK(VM_FABS(s.y[4]) > REAL(0.1)); /* out of the plane */
+}
+
 /* ---- Jumps ---- */
 
 /* A pendulum of two equal halves lets its lower half go with 3 m/s along its motion: the angular momentum about the
@@ -879,6 +905,7 @@ int main(void)
     check_four_bar();
     check_top();
     check_rods();
+    check_rod_beside_centre();
     check_separation();
     check_bounce();
     check_landing();

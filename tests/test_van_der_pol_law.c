@@ -721,6 +721,27 @@ static void test_constant_mass(void)
             }
         }
 }
+
+/* On the limit cycle, which a motion reaches after some 600 s for feed = 0.1, the rest of the walk is one step. */
+static void test_on_cycle(void)
+{
+    static const double alphas[2] = {4. / 3, 3}, times[3] = {800, 1000, -1000};
+    static vm_vdp_plan plan;
+    int k, n;
+    for (k = 0; k < 2; k++)
+        for (n = 0; n < 3; n++) {
+            const double sign = times[n] > 0 ? 1 : -1; /* backward in time a motion tends to a cycle if the feed is < 0 */
+            const vm_vdp v = oscillator(alphas[k], sign * 0.1, sign * 0.1, 1, vm_law_linear(1, 0));
+            vmi_vdp_mean stayed, walked;
+            CHECK(vm_vdp_plan_init(&plan, &v, 0.5, 0.3) == VM_OK);
+            CHECK(vmi_vdp_mean_at(&plan, times[n], &walked) == VM_OK);
+            CHECK(vmi_vdp_mean_motion(&plan, times[n], &stayed) == VM_OK && stayed.t == walked.t);
+            check_error("on the cycle", "ln A", "abs", fabs(stayed.ln_A - walked.ln_A), 1e-13, alphas[k], times[n]);
+            check_error("on the cycle", "psi", "rel", fabs(stayed.psi / walked.psi - 1), 1e-13, alphas[k], times[n]);
+            check_error("on the cycle", "psi, order 1", "rel", fabs(stayed.first_psi / walked.first_psi - 1), 1e-13, alphas[k],
+                        times[n]);
+        }
+}
 #endif
 
 static void test_stiffness_refused(void)
@@ -760,6 +781,7 @@ int main(void)
 #ifndef VM_USE_FLOAT
     test_slow_stiffness();
     test_constant_mass();
+    test_on_cycle();
 #endif
     test_stiffness_refused();
     test_refusals();

@@ -178,12 +178,14 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
    oscillator if `reactive` is 1, the mass centre moves, and m1'/m1 differs from m2'/m2. mu is the reduced mass, V the
    velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there is
    not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then the
-   motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. */
+   motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. An error
+   leaves *pair and *problem as they were. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
     vmi_pair_masses now;
     vm_osc_problem o;
+    vm_real momentum;
     int status = vmi_coupled_now(pair, 0, &now);
     if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, y0)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
@@ -197,9 +199,10 @@ VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, 
     o.v = y0[3] - y0[2];
     o.force = NULL;
     o.ctx = pair;
-    pair->momentum = now.m[0] * y0[2] + now.m[1] * y0[3];
-    if (!VM_IS_FINITE(pair->momentum) || !VM_IS_FINITE(o.x) || !VM_IS_FINITE(o.v)) return VM_NOT_FINITE;
-    if (pair->reactive == 1 && pair->momentum != 0) o.force = vmi_coupled_drift;
+    momentum = now.m[0] * y0[2] + now.m[1] * y0[3];
+    if (!VM_IS_FINITE(momentum) || !VM_IS_FINITE(o.x) || !VM_IS_FINITE(o.v)) return VM_NOT_FINITE;
+    if (pair->reactive == 1 && momentum != 0) o.force = vmi_coupled_drift;
+    pair->momentum = momentum;
     *problem = o;
     return VM_OK;
 }
