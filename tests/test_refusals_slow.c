@@ -328,8 +328,8 @@ static vm_vdp next_vdp(trial *a)
 static int vdp_plan(trial *a)
 {
     vm_vdp v = next_vdp(a);
-    vm_vdp_plan plan;
-    vm_osc_motion motion;
+    static vm_vdp_plan plan;
+    vm_osc_motion motion = {0, 0, 0, 0, 0, 0};
     const vm_real x = next(a), rate = next(a), t = next(a), tolerance = next(a);
     int status = vm_vdp_init(&v);
     if (!status) status = vm_vdp_plan_init(POINTER(0, &plan), POINTER(1, &v), x, rate);
