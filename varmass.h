@@ -8275,19 +8275,18 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y contains the coordinates q and the momenta pi. Returns
-   VM_NOT_FINITE if A, t or y is not finite, VM_SINGULAR if they are finite but A is not positive definite, and VM_OK
-   otherwise. */
+   VM_NOT_FINITE if t, y or A is not finite, VM_SINGULAR if they are finite but A is not positive definite, and VM_OK
+   otherwise. y is checked because A and b may not depend on each coordinate. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
-    int k, status;
+    int k;
+    if (!VM_IS_FINITE(t) || !vmi_all_finite(2 * system->n, y)) return VM_NOT_FINITE;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
     if (!vmi_all_finite(system->n * system->n, w.A)) return VM_NOT_FINITE;
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
-    status = vmi_solve_mass(system->n, w.A, w.rates, w.trial);
-    if (status && !(VM_IS_FINITE(t) && vmi_all_finite(2 * system->n, y))) return VM_NOT_FINITE;
-    return status;
+    return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
 }
 
 /* The derivative dT/dq_i of the kinetic energy T, with the masses that are stored in the work array. The function

@@ -417,7 +417,8 @@ static int slow_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 /* The warning comes where stability limits the step, and only there; the run goes on. */
 static void test_stiffness(void)
 {
-    vm_real y0[1] = {0}, work[RK87_WORK(1)], rate;
+    const vm_real times[2] = {4, 5};
+    vm_real y0[1] = {0}, work[RK87_WORK(1)], rows[2], rate;
     rk45_options o = {0};
     rk45 s;
     int i;
@@ -429,6 +430,8 @@ static void test_stiffness(void)
         CHECK(m->init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK);
         CHECK(m->solve(&s, 5) == ODE_STIFF && s.t == 5 && ODE_STIFF > 0);
         CHECK(s.stiff && fabs((double)s.y[0] - cos(5.)) < 0.01 && m->solve(&s, 6) == ODE_OK);
+        CHECK(m->init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK);
+        CHECK(m->solve_at(&s, 2, times, rows, NULL) == ODE_STIFF && fabs((double)rows[1] - cos(5.)) < 0.01);
         rate = 1;
         o.max_steps = -1;
         CHECK(m->init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK);

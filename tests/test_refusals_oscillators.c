@@ -4,6 +4,7 @@
 #include "refusals.h"
 #include "valid_objects.h"
 
+static const double eps = (double)VM_EPSILON;
 static const int is_float = PRECISION[0] == 'f';
 
 /* ---- Constant and slowly varying parameters: each number and each pointer spoiled ---- */
@@ -676,6 +677,114 @@ static void test_overflowing_plans(void)
     CHECK(status == VM_OK || status == VM_NOT_FINITE);
 }
 
+/* Odd forces, plans and laws that lack something, and motions at rest or on the border between two kinds of motion */
+static void test_odd_limits(void)
+{
+    const vm_odd_force unmade = {0}, well = vm_duffing_force(-2, 1);
+    const vm_real numbers[11] = {ODD}, tolerances[2] = {VM_NAN, -1};
+    static vm_odd_plan plan;
+    vm_odd_motion motion = {7, 7, 7, 7, 7, 7};
+    vm_odd_problem o;
+    vm_real x, v;
+    trial a;
+    int k;
+    start_trial(&a, numbers, 11);
+    o = odd_problem(&a);
+    CHECK(isnan(vm_odd_action(&unmade, 1)) && isnan(vm_odd_period(&unmade, 1)));
+    CHECK(vm_odd_exact_from(&unmade, 1, 1, 1, &x, &v) == VM_BAD_ARGUMENT);
+    CHECK(isnan(vm_duffing_period(0, -2, 1)) && isnan(vm_duffing_period(1, -2, -1)));
+    CHECK(vm_duffing_period(2, -2, 1) == VM_INFINITY); /* x = 2/cosh(sqrt(2) t) */
+    vm_duffing_exact_from(1, 0, 0, -2, 1, &x, &v);
+    CHECK(x == 0 && v == 0);
+    vm_duffing_exact_from(1, 2, 0, -2, 1, &x, &v);
+    CHECK(fabs((double)x - 2 / cosh(sqrt(2))) < 64 * eps);
+    CHECK(vm_odd_exact_from(&well, 1, 2, 0, &x, &v) == VM_NO_LAW);
+    CHECK(vm_odd_plan_init(&plan, &o, 1) == VM_OK);
+    for (k = 0; k < 2; k++) {
+        CHECK(vm_odd_plan_by_route(&plan, VM_ODD_RK87, R(0.5), tolerances[k], &motion) == (k ? VM_DOMAIN : VM_NOT_FINITE));
+        CHECK(vm_odd_plan_within(&plan, R(0.5), tolerances[k], &motion) == (k ? VM_DOMAIN : VM_NOT_FINITE));
+        CHECK(vm_odd_within(&o, R(0.5), tolerances[k], &motion) == (k ? VM_DOMAIN : VM_NOT_FINITE));
+    }
+    CHECK(vm_odd_plan_within(&plan, 2, 0, &motion) == VM_DOMAIN && motion.x == 7);
+    CHECK(vm_odd_plan_by_route(&plan, VM_ODD_RK87 + 1, R(0.5), 0, &motion) == VM_BAD_ARGUMENT);
+    o.x = o.v = 0;
+    o.force = vm_odd_force_user(rising, (void *)numbers);
+    CHECK(vm_odd_within(&o, 1, 0, &motion) == VM_OK && motion.x == 0 && motion.v == 0);
+}
+
+/* Motions under odd forces that begin at rest, in a well or on the top between two wells, and a force that begins at 0 */
+static void test_odd_starts(void)
+{
+    const vm_real numbers[11] = {ODD}, hardening[2] = {2, 3};
+    const vm_law wells[2] = {vm_law_linear(-1, 0), vm_law_linear(1, 0)};
+    const vm_law rising_from_0[2] = {vm_law_quadratic(0, 0, R(0.1)), vm_law_linear(1, 0)};
+    vm_odd_motion motion = {7, 7, 7, 7, 7, 7};
+    vm_odd_problem o;
+    static vm_odd_plan plan;
+    vm_real y[2] = {0, 1}, d[2];
+    trial a;
+    start_trial(&a, numbers, 11);
+    o = odd_problem(&a);
+    o.x = 1;
+    o.v = 0;
+    o.force = vm_duffing_force(-1, 1);
+    CHECK(vm_odd_within(&o, 1, 0, &motion) == VM_OK && motion.x == 1 && motion.v == 0);
+    o.force = vm_duffing_force_of_laws(wells);
+    CHECK(vm_odd_within(&o, 1, 0, &motion) == VM_OK && fabs((double)motion.x - 1) < 1e-3 && fabs((double)motion.v) < 1e-3);
+    o.force = vm_duffing_force_of_laws(rising_from_0);
+    o.v = R(0.5);
+    CHECK(vm_odd_within(&o, 1, 0, &motion) == VM_OK && motion.route == VM_ODD_RK87);
+    o.force = vm_duffing_force(-1, -1); /* the body leaves */
+    o.x = 0;
+    CHECK(vm_odd_plan_init(&plan, &o, R(0.5)) == VM_OK);
+    CHECK(vm_odd_plan_by_route(&plan, VM_ODD_RK87, R(0.5), 0, &motion) == VM_OK && motion.x > R(0.2));
+    o.force = vm_odd_force_user(rising, (void *)hardening);
+    CHECK(vm_odd_rhs(0, y, d, &o) == VM_OK && d[0] == 1);
+}
+
+/* Laws that look constant, or whose table has a time that is none */
+static void test_kinds_of_stiffness(void)
+{
+    const vm_real times[2] = {-1, VM_NAN}, values[2] = {2, 3};
+    const vm_law broken = vm_law_table(2, times, values);
+    vm_osc_problem o = a_problem();
+    vm_osc_motion motion = {7, 7, 7, 7, 7, 7}, other;
+    vm_real f, rate;
+    CHECK(vm_law_at(&broken, 5, &f, &rate) < 0 && vm_law_at(&broken, -5, &f, &rate) < 0);
+    o.stiffness = vm_law_quadratic(3, 0, R(0.001));
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 2, R(1e-3), &motion) == VM_OK);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_RK87, 2, R(1e-3), &other) == VM_OK);
+    CHECK(VM_FABS(motion.x - other.x) < R(1e-3));
+}
+
+/* Integrals of a quotient of laws, of which one was not made or is constant */
+static void test_ratio_integrals(void)
+{
+    static const vm_law unmade;
+    const vm_law linear = vm_law_linear(2, R(0.1)), constant = vm_law_linear(3, 0), power = vm_law_power(2, R(0.2), 2);
+    vm_real integral = 7;
+    CHECK(vm_law_ratio_integral(&linear, &unmade, 1, &integral) == VM_BAD_ARGUMENT);
+    CHECK(vm_law_ratio_integral(&unmade, &linear, 1, &integral) == VM_BAD_ARGUMENT && integral == 7);
+    CHECK(vm_law_ratio_integral(&linear, &constant, 2, &integral) == VM_OK);
+    check_error("f/g", "g constant", "eps", fabs((double)integral - (2 * 2 + 0.1 * 2) / 3) / eps, 8, 2, 0);
+    CHECK(vm_law_ratio_integral(&linear, &power, 2, &integral) == VM_OK);
+    check_error("f/g", "other powers", "eps", fabs((double)integral - 1.49201886720508758) / eps, 64, 2, 0);
+}
+
+/* An oscillator at rest, by a plan: every route and tolerance */
+static void test_plan_at_rest(void)
+{
+    static vm_osc_plan plan;
+    vm_osc_problem o = a_problem();
+    vm_osc_motion motion = {7, 7, 7, 7, 7, 7};
+    o.x = o.v = 0;
+    CHECK(vm_osc_plan_init(&plan, &o) == VM_OK);
+    CHECK(vm_osc_plan_within(&plan, 1, 0, &motion) == VM_OK && motion.x == 0 && motion.v == 0 && motion.error == 0);
+    CHECK(vm_osc_plan_by_route(&plan, VM_ROUTE_COLLOCATION, 1, 0, &motion) == VM_OK && motion.x == 0);
+    CHECK(vm_osc_plan_within(&plan, 1, -1, &motion) == VM_DOMAIN);
+    CHECK(vm_osc_within(&o, 1, -1, &motion) == VM_DOMAIN && vm_osc_within(&o, 1, VM_NAN, &motion) == VM_NOT_FINITE);
+}
+
 int main(void)
 {
     test_oscillators();
@@ -697,5 +806,10 @@ int main(void)
     test_fast_change();
     test_extreme_amplitudes();
     test_overflowing_plans();
+    test_odd_limits();
+    test_odd_starts();
+    test_kinds_of_stiffness();
+    test_ratio_integrals();
+    test_plan_at_rest();
     return check_finish("refusals oscillators");
 }

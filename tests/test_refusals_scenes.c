@@ -198,6 +198,9 @@ static void test_list_of_actions(void)
     CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_ARGUMENT);
     actions[0] = vm_then_all(now, actions, 2);
     CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_ARGUMENT);
+    actions[0] = now; /* an action that does nothing */
+    actions[1] = vm_then_stop(now);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_OK && run(&g, 2) == VM_STOPPED && g.t == 1);
     g.events[0] = vm_then_all(now, actions, -1);
     CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_ARGUMENT);
     g.events[0] = vm_then_all(now, NULL, 0);
@@ -943,6 +946,24 @@ static void test_pushes(void)
     CHECK(vm_scene_budget_at(&g.s, 0, g.y, &book) == VM_NOT_FINITE);
 }
 
+/* Growing bodies without mass; an effect that is taken out after the start */
+static void test_impossible_bodies(void)
+{
+    static stage g;
+    vm_body b;
+    memset(&b, 0, sizeof b);
+    b.q.w = b.inertia.xx = b.inertia.yy = b.inertia.zz = 1;
+    set_stage(&g, 1, 1, 0);
+    g.bodies[0] = vm_scene_body_growing_free(vm_scene_body_free(&b));
+    g.effects[0] = vm_effect_gravity(0, 0, 1);
+    CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_MASS);
+    b.mass = 1;
+    g.bodies[0] = vm_scene_body_growing_free(vm_scene_body_free(&b));
+    CHECK(vm_scene_start(&g.s, 0, g.y, NULL) == VM_OK);
+    g.effects[0].apply = NULL;
+    CHECK(run_on(&g, 1) == VM_NOT_STARTED);
+}
+
 /* ---- Numbers of effects that are none ---- */
 
 static void refuses_effect(vm_effect effect, int status)
@@ -1056,6 +1077,7 @@ int main(void)
     test_not_started();
     test_lists_after_start();
     test_pushes();
+    test_impossible_bodies();
     test_spoiled_springs();
     test_spoiled_contacts();
     test_unmade_law();

@@ -645,6 +645,156 @@ static void test_points_of_broken_step(void)
     CHECK(vm_find_samples_of_step(&s, 0, 1, VM_ZERO_CROSSINGS, buffer, 4, points) == VM_NOT_FINITE);
 }
 
+/* ---- Fields that are none ---- */
+
+/* Rotors without stiffness or mass law, with a negative number of nodes; a power that is none */
+static void test_impossible_shafts(void)
+{
+    const vm_power_force powers[2] = {{1, -1}, {1, VM_NAN}};
+    const vm_law unmade = {0}, constant = vm_law_linear(2, 0);
+    vm_real y[6] = {R(0.1), R(0.2), 0, R(0.1), 0, 0}, d[6] = {7}, slope;
+    vm_jeffcott_whirl whirl;
+    vm_jeffcott r = a_laval();
+    int k;
+    for (k = 0; k < 2; k++) CHECK(isnan(vm_jeffcott_power(1, &slope, (void *)&powers[k])) && isnan(slope));
+    r.nodes = -1;
+    CHECK(vm_jeffcott_averaged_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, d, &r) == VM_BAD_ARGUMENT && d[0] == 7);
+    r.nodes = 0;
+    r.gyro = VM_NAN;
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, d, &r) == VM_NOT_FINITE);
+    r.mass = unmade;
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
+    r.mass = vm_law_linear(-1, 0);
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, d, &r) == VM_NOT_FINITE);
+    r = a_laval();
+    y[0] = VM_NAN;
+    CHECK(vm_jeffcott_forward_whirl_rhs(0, y, d, &r) == VM_NOT_FINITE);
+    r.mass = unmade;
+    CHECK(vm_jeffcott_whirl_at(&r, 1, 0, 1, 1, &whirl) == VM_BAD_ARGUMENT);
+    r.mass = constant;
+    r.stiffness = NULL;
+    r.gyro = 1;
+    r.reactive = 0;
+    CHECK(vm_jeffcott_whirl_at(&r, 1, 0, 1, 1, &whirl) == VM_BAD_ARGUMENT);
+    CHECK(isnan(vm_jeffcott_whirl_amplitude(&r, 1, 1, 2, 1)));
+}
+
+/* A disc at rest in the centre, where neither whirl has an amplitude; a shaft whose frequencies are 0 */
+static void test_rotor_at_rest(void)
+{
+    static const vm_power_force linear = {2, 1}, softest = {VM_MIN, 1};
+    const vm_real rest[4] = {0, 0, 0, 0};
+    vm_real motion[4] = {7, 7, 7, 7}, y[5];
+    vm_jeffcott r = a_laval();
+    r.stiffness_ctx = (void *)&linear;
+    CHECK(vm_jeffcott_linear_at(&r, rest, 1, motion) == VM_OK && motion[0] == 0 && motion[3] == 0);
+    r.stiffness_ctx = (void *)&softest;
+    r.mass = vm_law_linear(VM_MAX / 2, 0);
+    CHECK(vm_jeffcott_to_averaged(&r, 0, rest, 0, y) < 0);
+}
+
+/* Mass laws that no constructor made: null pointers and numbers that are none do not matter any more. */
+static void test_unmade_laws(void)
+{
+    static const vm_law unmade;
+    vm_real y[4] = {VM_NAN, 0, 0, 0}, found[4] = {7, 7, 7, 7};
+    vm_coupled_pair coupled = a_coupled_pair();
+    vm_grounded_pair grounded = a_grounded_pair();
+    vm_periodic periodic = a_periodic();
+    vm_forced forced = a_forced();
+    vm_pair pair = a_pair();
+    vm_steady_state steady[2];
+    vm_osc_problem o;
+    coupled.mass[1] = pair.mass = forced.mass = periodic.oscillator.mass = grounded.oscillator[1].mass = unmade;
+    CHECK(vm_coupled_pair_to_modes(&coupled, 0, y, found) == VM_BAD_ARGUMENT);
+    CHECK(vm_coupled_pair_from_modes(&coupled, 0, y, found) == VM_BAD_ARGUMENT);
+    CHECK(vm_coupled_pair_oscillator(&coupled, y, &o) == VM_BAD_ARGUMENT);
+    CHECK(vm_grounded_pair_to_averaged(&grounded, 0, y, found) == VM_BAD_ARGUMENT);
+    CHECK(vm_grounded_pair_from_averaged(&grounded, 0, y, found) == VM_BAD_ARGUMENT);
+    CHECK(vm_pair_at(&pair, VM_NAN, y, found) == VM_BAD_ARGUMENT && found[0] == 7);
+    CHECK(vm_forced_curve(&forced, 0, VM_NAN, steady) == VM_BAD_ARGUMENT);
+    CHECK(vm_periodic_curve(&periodic, 0, VM_NAN, steady) == VM_BAD_ARGUMENT);
+}
+
+/* Numbers of vibrations, methods and routes that do not exist; mass laws that are not linear */
+static void test_unknown_numbers(void)
+{
+    const int vibrations[4][2] = {{1, 0}, {1, 99}, {99, 1}, {0, 1}};
+    const vm_real y[4] = {R(0.1), R(0.2), 0, 0};
+    vm_grounded_pair grounded = a_grounded_pair();
+    vm_periodic periodic = a_periodic();
+    vm_pair pair = a_pair();
+    vm_vdp v = a_vdp();
+    vm_vdp_plan plan;
+    vm_vdp_cycle cycle;
+    vm_real found[4];
+    int k;
+    for (k = 0; k < 4; k++) {
+        grounded.vibrations[0] = vibrations[k][0];
+        grounded.vibrations[1] = vibrations[k][1];
+        CHECK(vm_grounded_pair_init(&grounded) == VM_BAD_ARGUMENT);
+    }
+    periodic.periods = 0;
+    CHECK(vm_periodic_init(&periodic) == VM_BAD_ARGUMENT);
+    CHECK(vm_pair_by_method(&pair, VM_PAIR_ATEB - 1, 1, y, found) == VM_BAD_ARGUMENT);
+    CHECK(vm_pair_by_method(&pair, VM_PAIR_JACOBI + 1, 1, y, found) == VM_BAD_ARGUMENT);
+    pair.mass = vm_law_power(2, R(0.1), 3);
+    CHECK(vm_pair_at(&pair, 1, y, found) == VM_NO_LAW);
+    v.method = VM_VDP_ATEB - 1;
+    CHECK(vm_vdp_plan_init(&plan, &v, 1, 0) == VM_BAD_ARGUMENT && vm_vdp_cycle_of(&v, &cycle) == VM_BAD_ARGUMENT);
+}
+
+/* A pair without momentum, on whose relative motion no force of the mass centre acts; a vibration that negative damping
+   feeds, which is not stable */
+static void test_special_motions(void)
+{
+    const vm_real y[4] = {0, R(0.1), 0, 0};
+    vm_coupled_pair pair = a_coupled_pair();
+    vm_periodic p = a_periodic();
+    vm_steady_state steady;
+    vm_osc_problem o;
+    CHECK(vm_coupled_pair_oscillator(&pair, y, &o) == VM_OK && pair.momentum == 0 && !o.force);
+    p.oscillator.damping = R(-0.1);
+    p.oscillator.reactive = R(0.5);
+    CHECK(vm_periodic_curve(&p, 0, R(0.7), &steady) == VM_OK && steady.trace > 0 && !steady.stable);
+}
+
+/* A Van der Pol oscillator at rest stays there; one whose amplitude underflows has no phase. */
+static void test_van_der_pol_at_rest(void)
+{
+    static vm_vdp_plan plan;
+    vm_vdp v = a_vdp();
+    vm_osc_motion motion = {7, 7, 7, 7, 7, 7};
+    CHECK(vm_vdp_plan_init(&plan, &v, 0, 0) == VM_OK);
+    CHECK(vm_vdp_plan_by_route(&plan, VM_ROUTE_ORDER2, 1, 0, &motion) == VM_OK && motion.x == 0 && motion.v == 0);
+}
+
+/* Samples and positions that are infinite */
+static void infinite_velocity(vm_real t, vm_real *x, vm_real *v, void *ctx)
+{
+    (void)ctx;
+    *x = t - 1;
+    *v = VM_INFINITY;
+}
+
+static vm_real constant_law(vm_real t, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return 1;
+}
+
+static void test_infinite_samples(void)
+{
+    const vm_sample samples[2] = {{0, 1, 1}, {1, VM_INFINITY, VM_INFINITY}};
+    vm_sample points[4];
+    CHECK(vm_envelope_error(VM_TURNING_POINTS, 1, samples, constant_law, NULL) == 0);
+    CHECK(isnan(vm_envelope_error(VM_TURNING_POINTS, 2, samples, constant_law, NULL)));
+    CHECK(isnan(vm_envelope_error(VM_ZERO_CROSSINGS, 2, samples, constant_law, NULL)));
+    CHECK(vm_find_samples(infinite_velocity, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == VM_NOT_FINITE);
+}
+
 int main(void)
 {
     test_slow_vibrations();
@@ -661,5 +811,12 @@ int main(void)
     test_points_found();
     test_points_of_step();
     test_points_of_broken_step();
+    test_impossible_shafts();
+    test_rotor_at_rest();
+    test_unmade_laws();
+    test_unknown_numbers();
+    test_special_motions();
+    test_van_der_pol_at_rest();
+    test_infinite_samples();
     return check_finish("refusals slow");
 }

@@ -275,6 +275,12 @@ static void test_sizes_of_flows(void)
         CHECK(vm_flow_body(&flow, VM_FLOW_GIVEN_STATES, y, &now) == VM_OK);
         CHECK(vm_flow_body(&flow, VM_FLOW_STATES, y, &now) == (i < VM_FLOW_STATES ? VM_SHORT_ARRAY : VM_OK));
     }
+    flow.y_size = VM_TRANSLATION_STATES;
+    CHECK(vm_translation_rhs(0, y, d, &flow) == VM_OK);
+    flow.n = -1;
+    CHECK(vm_flow_body(&flow, VM_FLOW_GIVEN_STATES, y, &now) == VM_BAD_ARGUMENT);
+    CHECK(vm_translation_rhs(0, y, d, &flow) == VM_BAD_ARGUMENT);
+    flow.n = 0;
     flow.y_size = VM_TRANSLATION_STATES - 1;
     CHECK(vm_translation_rhs(0, y, d, &flow) == VM_SHORT_ARRAY && flow.status == VM_SHORT_ARRAY);
     CHECK(vm_flow_carried_rhs(0, y, d, &flow) == VM_SHORT_ARRAY);
@@ -516,8 +522,10 @@ static int lagrange_start(trial *a)
 static int lagrange_rates(trial *a)
 {
     vm_lagrange_system l = system_of_two();
-    const vm_real y[4] = {1, 1, 1, 1};
-    return vm_lagrange_rates(POINTER(0, &l), 0, POINTER(1, y), OUT(2, vm_real, 0));
+    vm_real y[4];
+    const vm_real t = next(a);
+    take(a, y, sizeof y);
+    return vm_lagrange_rates(POINTER(0, &l), t, POINTER(1, y), OUT(2, vm_real, 0));
 }
 
 static int frozen_derivative(trial *a)
@@ -577,7 +585,7 @@ static void test_lagrange(void)
     vm_real derivative, other;
     REFUSES(lagrange_start, 4, 1, R(0.3), R(0.2), 1, 2);
     REFUSES(needed_forces, 5, 1, 2, R(0.3), R(0.2), 1, 2, 3, 4);
-    REFUSES_NULL(lagrange_rates, 3);
+    REFUSES(lagrange_rates, 3, 1, 1, 2, 3, 4);
     REFUSES_NULL(frozen_derivative, 3);
     CHECK(isnan(vm_lagrange_partial_q(&l, 0, q, rates, -1)) && isnan(vm_lagrange_partial_q(&l, 0, q, rates, 2)));
     derivative = vm_lagrange_partial_q(&l, 0, q, rates, 0);

@@ -127,6 +127,19 @@ static void test_stops(const method *m)
     CHECK(status == ODE_OK && whole.s.t == 15 && i > 5);
 }
 
+/* Changes the first number of a saved run, its format, and gives it the right checksum. */
+static void make_other_format(const rk45 *s, unsigned char *bytes)
+{
+    const int before = (int)vmi_saved_size(s) - VMI_SAVED_SUM_BYTES;
+    vmi_saved_place place = {0};
+    uint32_t sum;
+    bytes[0] ^= 1;
+    sum = vmi_saved_checksum(bytes, before);
+    place.to = bytes + before;
+    place.saves = 1;
+    vmi_saved_move_sum(&place, &sum);
+}
+
 static void test_refusals(const method *m, const method *other)
 {
     const vm_real y0[N] = {1, 0, 1};
@@ -151,6 +164,11 @@ static void test_refusals(const method *m, const method *other)
     CHECK(m->init(&plain, linear_rhs, NULL, N, 0, y0, NULL, work) == ODE_OK); /* no events: another run */
     CHECK(m->resume(&plain, BYTES, bytes) == ODE_BAD_ARGUMENT && plain.t == 0);
     CHECK(m->resume(&b.s, BYTES, bytes) == ODE_OK && b.s.t == 1 && same_runs(&a, &b));
+    make_other_format(&b.s, bytes);
+    CHECK(m->resume(&b.s, BYTES, bytes) == ODE_BAD_ARGUMENT && same_runs(&a, &b));
+    make_other_format(&b.s, bytes);
+    CHECK(m->resume(&b.s, BYTES, bytes) == ODE_OK);
+    CHECK(m->restart(&b.s, 3, y0) == ODE_OK && b.s.t == 3 && m->solve(&b.s, 4) == ODE_OK); /* its events begin again */
 }
 
 /* The macro for the number of bytes is exact. */

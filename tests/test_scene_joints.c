@@ -677,6 +677,9 @@ static void check_refused_springs(void)
     bad = spring;
     bad.other_at.y = 1;
     refuses_spring(0, 2, bad, VM_BAD_POINT);
+    bad = spring;
+    bad.other_at.z = 1;
+    refuses_spring(0, 2, bad, VM_BAD_POINT);
 }
 
 /* A spring between points that coincide has no direction, unless its rest is 0. */
@@ -772,6 +775,70 @@ static void check_point_at(void)
     CHECK(r.x != r.x && v.z != v.z);
     vm_scene_point_at(&s.scene, VM_GROUND, at, s.y, &r, &v);
     CHECK(r.x != r.x);
+}
+
+/* Two points that a pin holds together in space, and a third one that a body in the plane carries: the mass centre of the
+   pair falls, and the body takes the point along. */
+static void check_pins_of_points(void)
+{
+    const vm_vec3 apart = stage_vec(0.5, 0, 0);
+    vm_joint list[2];
+    const vm_joints joints = joints_of(list, 2, 10);
+    int i;
+    stage s;
+    stage_clear(&s, 1);
+    stage_body(&s, vm_scene_body_point(1, origin, stage_vec(1, 2, 3)));
+    stage_body(&s, vm_scene_body_point(3, origin, stage_vec(1, 2, 3)));
+    stage_body(&s, vm_scene_body_plane(2, 1, origin, 0, stage_vec(1, 0, 0), 1));
+    stage_body(&s, vm_scene_body_point(1, apart, stage_vec(1, 0.5, 0)));
+    stage_effect(&s, vm_effect_gravity(0, 2, REAL(-gravity)));
+    list[0] = vm_joint_pin(0, origin, 1, origin);
+    list[1] = vm_joint_pin(2, apart, 3, origin);
+    stage_effect(&s, vm_effect_joints(&joints));
+    begin(&s);
+    run(&s, 1, VM_OK);
+    for (i = 0; i < 6; i++) agrees("pin of points", "together", s.y[6 + i], (double)s.y[i], 5, 1e-9);
+    agrees("pin of points", "fall", s.y[2], 3 - gravity / 4 / 2, 5, 1e-9);
+    agrees("pin of points", "carried", s.y[18], (double)s.y[12] + 0.5 * cos((double)s.y[14]), 5, 1e-9);
+    agrees("pin of points", "momentum", 2 * s.y[15] + s.y[21], 3, 5, 1e-9);
+    CHECK(VM_FABS(s.y[20]) < REAL(1e-6)); /* in the plane */
+}
+
+/* A joint does not act while one of its bodies is absent; the body of the first joint must be there. */
+static void check_absent_bodies(void)
+{
+    vm_joint list[2];
+    const vm_joints joints = joints_of(list, 2, 10);
+    stage s;
+    stage_clear(&s, 1);
+    stage_body(&s, vm_scene_body_plane(1, 1, stage_vec(0, -1, 0), 0, origin, 0));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_plane(1, 1, origin, 0, origin, 0)));
+    stage_effect(&s, vm_effect_gravity(0, 1, REAL(-gravity)));
+    list[0] = vm_joint_pin(0, stage_vec(1, 0, 0), 1, origin);
+    list[1] = vm_joint_pin(1, stage_vec(5, 0, 0), 0, origin);
+    stage_effect(&s, vm_effect_joints(&joints));
+    begin(&s);
+    run(&s, 1, VM_OK);
+    agrees("absent body", "free fall", s.y[1], -1 - gravity / 2, 1, 1e-12);
+    CHECK(list[0].force.x == 0 && list[0].force.y == 0);
+    list[0] = vm_joint_pin(1, origin, 0, origin);
+    s.effects[1] = vm_effect_joints(&joints);
+    refused(&s, VM_IS_AWAY, "effect", 1);
+}
+
+/* A list of joints without an array, on no body or on the ground alone */
+static void check_missing_lists(void)
+{
+    vm_joint list[2];
+    vm_joints joints = joints_of(NULL, 1, 10);
+    stage s;
+    refusal_stage(&s, list);
+    stage_effect(&s, vm_effect_joints(&joints));
+    refused(&s, VM_BAD_ARGUMENT, "effect", 0);
+    list[0] = vm_joint_pin(VM_GROUND, origin, 0, origin);
+    joints = joints_of(list, 1, 10);
+    s.effects[0] = vm_effect_joints(&joints);
+    refused(&s, VM_NO_SUCH_BODY, "effect", 0);
 }
 
 /* A spring from the point ctx of body 0 to the origin, written by a user */
@@ -890,6 +957,9 @@ static void check_nearly_dependent(void)
 int main(void)
 {
     check_push_at();
+    check_pins_of_points();
+    check_absent_bodies();
+    check_missing_lists();
     check_refused_joints();
     check_refused_velocity();
     check_refused_lists();
