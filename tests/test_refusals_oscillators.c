@@ -677,6 +677,76 @@ static void test_overflowing_plans(void)
     CHECK(status == VM_OK || status == VM_NOT_FINITE);
 }
 
+/* A force 2 x + 3 x^3 that fails after so many calls */
+static int failing_force(vm_real x, vm_real *F, void *ctx)
+{
+    (void)ctx;
+    calls++;
+    *F = 2 * x + 3 * x * x * x;
+    return calls > good_calls ? 7 : 0;
+}
+
+static const vm_real knots[5] = {-1, R(0.2), R(0.4), 1, 2}, at_knots[5] = {2, R(2.01), R(2.02), R(2.01), 2};
+
+/* Odd forces of the user and laws of the user, beside a table, that fail at each of their calls in turn */
+static void test_failing_odd_forces(void)
+{
+    const vm_real numbers[11] = {ODD};
+    static vm_odd_plan plan;
+    vm_odd_motion motion = {7, 7, 7, 7, 7, 7};
+    vm_odd_problem o, with_law;
+    vm_odd_force force = vm_odd_force_user(failing_force, NULL);
+    vm_real x = 7, v = 7;
+    trial a;
+    int route, status;
+    start_trial(&a, numbers, 11);
+    with_law = o = odd_problem(&a);
+    o.force = force;
+    o.stiffness = vm_law_table(5, knots, at_knots);
+    with_law.mass = vm_law_user(failing_law, NULL);
+    with_law.stiffness = o.stiffness;
+    for (good_calls = 0; good_calls < 1500; good_calls += 1 + good_calls / 20) {
+        calls = 0;
+        status = vm_odd_exact_from(&force, 1, R(0.1), R(0.2), &x, &v);
+        CHECK(calls > good_calls ? status < 0 && x == 7 : status == VM_OK);
+        x = v = 7;
+        calls = 0;
+        status = vm_odd_within(&o, R(0.7), R(1e-3), &motion);
+        CHECK(calls > good_calls ? status < 0 && motion.x == 7 : status == VM_OK);
+        motion.x = 7;
+        for (route = VM_ODD_MEAN; route <= VM_ODD_RK87; route++) {
+            calls = 0;
+            status = vm_odd_plan_init(&plan, &with_law, R(0.7));
+            if (status == VM_OK) status = vm_odd_plan_by_route(&plan, route, R(0.7), 0, &motion);
+            CHECK(calls > good_calls ? status < 0 && motion.x == 7 : status >= 0 || status == VM_NO_LAW);
+            motion.x = 7;
+        }
+    }
+}
+
+/* Van der Pol oscillators with a law of the user, which fails at each of its calls in turn, and a table */
+static void test_failing_van_der_pol(void)
+{
+    static const int routes[5] = {VM_ROUTE_ATEB, VM_ROUTE_ORDER2, VM_ROUTE_ORDER3, VM_ROUTE_COLLOCATION, VM_ROUTE_RK87};
+    static vm_vdp_plan plan;
+    vm_osc_motion motion = {7, 7, 7, 7, 7, 7};
+    vm_vdp v[2];
+    int i, k, status;
+    for (i = 0; i < 2; i++) v[i] = a_vdp();
+    v[0].mass = v[1].stiffness = vm_law_user(failing_law, NULL);
+    v[1].mass = v[0].stiffness = vm_law_table(5, knots, at_knots);
+    for (i = 0; i < 2; i++)
+        for (good_calls = 0; good_calls < 1500; good_calls += 1 + good_calls / 20)
+            for (k = 0; k < 6; k++) {
+                calls = 0;
+                status = vm_vdp_plan_init(&plan, &v[i], R(0.1), R(0.2));
+                if (status == VM_OK && k < 5) status = vm_vdp_plan_by_route(&plan, routes[k], R(0.9), R(1e-3), &motion);
+                if (status == VM_OK && k == 5) status = vm_vdp_plan_within(&plan, R(0.9), R(1e-3), &motion);
+                CHECK(calls > good_calls ? status < 0 && motion.x == 7 : status >= 0 || status == VM_NOT_INTEGRATED);
+                motion.x = 7;
+            }
+}
+
 /* Odd forces, plans and laws that lack something, and motions at rest or on the border between two kinds of motion */
 static void test_odd_limits(void)
 {
@@ -755,6 +825,11 @@ static void test_kinds_of_stiffness(void)
     CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 2, R(1e-3), &motion) == VM_OK);
     CHECK(vm_osc_by_route(&o, VM_ROUTE_RK87, 2, R(1e-3), &other) == VM_OK);
     CHECK(VM_FABS(motion.x - other.x) < R(1e-3));
+    good_calls = 1 << 20;
+    o.stiffness = vm_law_user(failing_law, NULL);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 2, R(1e-3), &motion) == VM_OK);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_RK87, 2, R(1e-3), &other) == VM_OK);
+    CHECK(VM_FABS(motion.x - other.x) < R(1e-3));
 }
 
 /* Integrals of a quotient of laws, of which one was not made or is constant */
@@ -806,6 +881,8 @@ int main(void)
     test_fast_change();
     test_extreme_amplitudes();
     test_overflowing_plans();
+    test_failing_odd_forces();
+    test_failing_van_der_pol();
     test_odd_limits();
     test_odd_starts();
     test_kinds_of_stiffness();

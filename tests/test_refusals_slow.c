@@ -650,13 +650,13 @@ static void test_points_of_broken_step(void)
 /* Rotors without stiffness or mass law, with a negative number of nodes; a power that is none */
 static void test_impossible_shafts(void)
 {
-    const vm_power_force powers[2] = {{1, -1}, {1, VM_NAN}};
+    const vm_power_force powers[3] = {{1, -1}, {1, VM_NAN}, {1, VM_INFINITY}};
     const vm_law unmade = {0}, constant = vm_law_linear(2, 0);
     vm_real y[6] = {R(0.1), R(0.2), 0, R(0.1), 0, 0}, d[6] = {7}, slope;
     vm_jeffcott_whirl whirl;
     vm_jeffcott r = a_laval();
     int k;
-    for (k = 0; k < 2; k++) CHECK(isnan(vm_jeffcott_power(1, &slope, (void *)&powers[k])) && isnan(slope));
+    for (k = 0; k < 3; k++) CHECK(isnan(vm_jeffcott_power(1, &slope, (void *)&powers[k])) && isnan(slope));
     r.nodes = -1;
     CHECK(vm_jeffcott_averaged_rhs(0, y, d, &r) == VM_BAD_ARGUMENT);
     CHECK(vm_jeffcott_forward_whirl_rhs(0, y, d, &r) == VM_BAD_ARGUMENT && d[0] == 7);
@@ -677,7 +677,7 @@ static void test_impossible_shafts(void)
     r.gyro = 1;
     r.reactive = 0;
     CHECK(vm_jeffcott_whirl_at(&r, 1, 0, 1, 1, &whirl) == VM_BAD_ARGUMENT);
-    CHECK(isnan(vm_jeffcott_whirl_amplitude(&r, 1, 1, 2, 1)));
+    CHECK(isnan(vm_jeffcott_whirl_amplitude(&r, 1, 1, 2, 1)) && isnan(vm_jeffcott_frequency(&r, 1, 1, 1)));
 }
 
 /* A disc at rest in the centre, where neither whirl has an amplitude; a shaft whose frequencies are 0 */
@@ -692,6 +692,37 @@ static void test_rotor_at_rest(void)
     r.stiffness_ctx = (void *)&softest;
     r.mass = vm_law_linear(VM_MAX / 2, 0);
     CHECK(vm_jeffcott_to_averaged(&r, 0, rest, 0, y) < 0);
+}
+
+/* Velocities and amplitudes that overflow although the motion is finite */
+static void test_overflowing_motions(void)
+{
+    const vm_power_force hardest = {VM_SQRT(VM_MAX), 1};
+    const vm_real half = VM_MAX / 2, apart[4] = {-half, half, 0, 0}, fast[4] = {0, 0, -half, half};
+    const vm_real wide[4] = {-VM_MAX, VM_MAX, 0, 0}, wild[4] = {0, 0, -VM_MAX, VM_MAX}, motion[3] = {0, half, 0};
+    vm_real found[4] = {7, 7, 7, 7};
+    vm_jeffcott r = a_laval();
+    vm_coupled_pair coupled = a_coupled_pair();
+    vm_pair pair = a_pair();
+    vm_forced forced = a_forced();
+    vm_jeffcott_whirl whirl;
+    vm_osc_problem o;
+    static vm_vdp_plan plan;
+    vm_vdp v = a_vdp();
+    vm_osc_motion m = {7, 7, 7, 7, 7, 7};
+    r.stiffness_ctx = (void *)&hardest;
+    CHECK(vm_jeffcott_whirl_at(&r, half, 0, 1, 1, &whirl) == VM_NOT_FINITE);
+    coupled.mass[0] = coupled.mass[1] = vm_law_linear(R(0.125), 0);
+    CHECK(vm_coupled_pair_oscillator(&coupled, wide, &o) == VM_NOT_FINITE);
+    CHECK(vm_coupled_pair_oscillator(&coupled, wild, &o) == VM_NOT_FINITE && coupled.momentum == 0);
+    pair.alpha = 0;
+    CHECK(vm_pair_to_averaged(&pair, 0, fast, found) < 0 && found[0] == 7);
+    CHECK(vm_pair_to_averaged(&pair, 0, apart, found) == VM_OK && VM_IS_FINITE(found[0]));
+    forced.alpha = 0;
+    CHECK(vm_forced_init(&forced) == VM_OK && vm_forced_to_averaged(&forced, 0, motion, found) < 0);
+    v.alpha = 0;
+    CHECK(vm_vdp_plan_init(&plan, &v, 0, half) < 0 || vm_vdp_plan_by_route(&plan, VM_ROUTE_ORDER2, 1, 0, &m) < 0);
+    CHECK(m.x == 7);
 }
 
 /* Mass laws that no constructor made: null pointers and numbers that are none do not matter any more. */
@@ -754,10 +785,16 @@ static void test_special_motions(void)
     vm_periodic p = a_periodic();
     vm_steady_state steady;
     vm_osc_problem o;
+    int k;
     CHECK(vm_coupled_pair_oscillator(&pair, y, &o) == VM_OK && pair.momentum == 0 && !o.force);
     p.oscillator.damping = R(-0.1);
     p.oscillator.reactive = R(0.5);
     CHECK(vm_periodic_curve(&p, 0, R(0.7), &steady) == VM_OK && steady.trace > 0 && !steady.stable);
+    p.oscillator.damping = 50; /* where the force would have a frequency below 0, there is no such vibration */
+    for (k = -3; k <= 3; k++) {
+        const int status = vm_periodic_curve(&p, 0, (vm_real)k, &steady);
+        CHECK(status == VM_DOMAIN || (status == VM_OK && steady.nu > 0 && steady.A > 0));
+    }
 }
 
 /* A Van der Pol oscillator at rest stays there; one whose amplitude underflows has no phase. */
@@ -813,6 +850,7 @@ int main(void)
     test_points_of_broken_step();
     test_impossible_shafts();
     test_rotor_at_rest();
+    test_overflowing_motions();
     test_unmade_laws();
     test_unknown_numbers();
     test_special_motions();

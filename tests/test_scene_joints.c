@@ -521,6 +521,30 @@ static void check_bounce(void)
     balanced(&s, "bounce", 10, 100);
 }
 
+/* A free body that lands on a point beside its mass centre moves like the body in the plane of check_landing. */
+static void check_landing_in_space(void)
+{
+    const vm_contact end = {{-1, 0, 0}, 0, {0, 0, 0}, {0, 1, 0}, 0, 0};
+    const double v = sqrt(2 * gravity);
+    vm_body body = part_of(3, 1), now;
+    stage s;
+    body.q.w = 1;
+    body.r = stage_vec(0, 1, 0);
+    body.v = stage_vec(1, 0, 0);
+    stage_clear(&s, 3);
+    stage_body(&s, vm_scene_body_free(&body));
+    stage_effect(&s, vm_effect_gravity(0, 1, REAL(-gravity)));
+    stage_event(&s, vm_then_land(vm_event_contact(0, &end)));
+    stage_event(&s, vm_then_stop(vm_event_contact(0, &end)));
+    begin(&s);
+    run(&s, 3, VM_STOPPED);
+    vm_scene_body_at(&s.scene, 0, s.y, &now);
+    agrees("landing in space", "omega", now.omega.z, -v * 3 / 4, 3, 1e-9);
+    agrees("landing in space", "v", now.v.y, -v * 3 / 4, 3, 1e-9);
+    agrees("landing in space", "v", now.v.x, 1, 1, 1e-12);
+    balanced(&s, "landing in space", 10, 30);
+}
+
 /* A bar falls flat on one end, which stops: omega = v a m/(I + m a^2). A ball that lands rests on the ground. */
 static void check_landing(void)
 {
@@ -696,6 +720,9 @@ static void check_coinciding_points(void)
     spring.rest = 0;
     s.bodies[0].start.v.x = 2;
     begin(&s);
+    CHECK(vm_scene_rhs(0, s.y, dydt, &s.scene) == 0 && s.scene.status == VM_OK && dydt[3] == -2);
+    spring.rest = 1; /* a damper without a spring */
+    spring.stiffness = 0;
     CHECK(vm_scene_rhs(0, s.y, dydt, &s.scene) == 0 && s.scene.status == VM_OK && dydt[3] == -2);
 }
 
@@ -979,6 +1006,7 @@ int main(void)
     check_separation();
     check_bounce();
     check_landing();
+    check_landing_in_space();
     check_spring_in_space(0);
     check_spring_in_space(3);
     check_spring_in_plane();
