@@ -16,7 +16,7 @@
 #   make wasm      pages for the browser: build/wasm/play.html, what accuracy costs
 #   make sweep     a Monte-Carlo of break-ups over all cores          make firmware-table   flash, stack, instructions
 #   make firmware   a controller on an emulated Cortex-M4F           make scene-sizes    flash of scenes
-#   make test-cross   the same bits and the tests on every target (half an hour)
+#   make test-cross   the same bits and the tests on every target (hours)
 #   make test-fuzz SECONDS=n   all functions fuzzed      make evaluations COUNT=n   n of each special function
 #   make test-events RUNS=n   n random runs whose events coincide (a minute for 300000)
 #   make test-threads   everything from many threads, under ThreadSanitizer
@@ -201,7 +201,7 @@ points: build/command
 	    $(COMPILE) $$flags -DPOINTS tests/test_$$test.c -o build/points/test -lm && ./build/points/test || exit 1; \
 	    done; done
 
-# a campaign of half an hour: the same bits and the tests on every target that can be had, with emulators
+# a campaign of hours: the same bits and the tests on every target that can be had, with emulators
 test-cross:
 	sh tests/cross.sh build docs/cross.md $(TESTS)
 	@$(STAMP) cross

@@ -686,7 +686,8 @@ static int failing_force(vm_real x, vm_real *F, void *ctx)
     return calls > good_calls ? 7 : 0;
 }
 
-static const vm_real knots[5] = {-1, R(0.2), R(0.4), 1, 2}, at_knots[5] = {2, R(2.01), R(2.02), R(2.01), 2};
+static const vm_real knots[6] = {-40, -10, 10, 20, 30, 40}, at_knots[6] = {2, R(2.01), R(2.02), R(2.03), R(2.02), 2};
+static const vm_real close_knots[6] = {-40, -10, 10, R(10.125), 30, 40};
 
 /* Odd forces of the user and laws of the user, beside a table, that fail at each of their calls in turn */
 static void test_failing_odd_forces(void)
@@ -702,7 +703,7 @@ static void test_failing_odd_forces(void)
     start_trial(&a, numbers, 11);
     with_law = o = odd_problem(&a);
     o.force = force;
-    o.stiffness = vm_law_table(5, knots, at_knots);
+    o.stiffness = vm_law_table(6, knots, at_knots);
     with_law.mass = vm_law_user(failing_law, NULL);
     with_law.stiffness = o.stiffness;
     for (good_calls = 0; good_calls < 1500; good_calls += 1 + good_calls / 20) {
@@ -711,13 +712,13 @@ static void test_failing_odd_forces(void)
         CHECK(calls > good_calls ? status < 0 && x == 7 : status == VM_OK);
         x = v = 7;
         calls = 0;
-        status = vm_odd_within(&o, R(0.7), R(1e-3), &motion);
+        status = vm_odd_within(&o, 25, R(1e-3), &motion);
         CHECK(calls > good_calls ? status < 0 && motion.x == 7 : status == VM_OK);
         motion.x = 7;
         for (route = VM_ODD_MEAN; route <= VM_ODD_RK87; route++) {
             calls = 0;
-            status = vm_odd_plan_init(&plan, &with_law, R(0.7));
-            if (status == VM_OK) status = vm_odd_plan_by_route(&plan, route, R(0.7), 0, &motion);
+            status = vm_odd_plan_init(&plan, &with_law, 25);
+            if (status == VM_OK) status = vm_odd_plan_by_route(&plan, route, 25, 0, &motion);
             CHECK(calls > good_calls ? status < 0 && motion.x == 7 : status >= 0 || status == VM_NO_LAW);
             motion.x = 7;
         }
@@ -734,17 +735,53 @@ static void test_failing_van_der_pol(void)
     int i, k, status;
     for (i = 0; i < 2; i++) v[i] = a_vdp();
     v[0].mass = v[1].stiffness = vm_law_user(failing_law, NULL);
-    v[1].mass = v[0].stiffness = vm_law_table(5, knots, at_knots);
+    v[1].mass = v[0].stiffness = vm_law_table(6, close_knots, at_knots);
+    good_calls = 1 << 20;
+    for (i = 0; i < 2; i++) { /* points of a table that are closer than a quarter of a vibration */
+        CHECK(vm_vdp_plan_init(&plan, &v[i], 1, R(0.2)) == VM_OK);
+        CHECK(vm_vdp_plan_by_route(&plan, VM_ROUTE_ORDER2, 25, 0, &motion) == VM_NOT_INTEGRATED && motion.x == 7);
+    }
+    v[1].mass = v[0].stiffness = vm_law_table(6, knots, at_knots);
     for (i = 0; i < 2; i++)
         for (good_calls = 0; good_calls < 1500; good_calls += 1 + good_calls / 20)
             for (k = 0; k < 6; k++) {
+                const vm_real t = (good_calls + k) % 2 == 0 ? 25 : -15;
                 calls = 0;
-                status = vm_vdp_plan_init(&plan, &v[i], R(0.1), R(0.2));
-                if (status == VM_OK && k < 5) status = vm_vdp_plan_by_route(&plan, routes[k], R(0.9), R(1e-3), &motion);
-                if (status == VM_OK && k == 5) status = vm_vdp_plan_within(&plan, R(0.9), R(1e-3), &motion);
+                status = vm_vdp_plan_init(&plan, &v[i], 1, R(0.2));
+                if (status == VM_OK && k < 5) status = vm_vdp_plan_by_route(&plan, routes[k], t, R(1e-3), &motion);
+                if (status == VM_OK && k == 5) status = vm_vdp_plan_within(&plan, t, R(1e-3), &motion);
                 CHECK(calls > good_calls ? status < 0 && motion.x == 7 : status >= 0 || status == VM_NOT_INTEGRATED);
                 motion.x = 7;
             }
+}
+
+/* A weak force of the user */
+static vm_real weak_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)ctx;
+    return R(0.01) * VM_LIBM(sin)(t) - R(0.01) * x * x * v;
+}
+
+/* Oscillators with a law of the user, which fails at each of its calls in turn, a table, and a weak force */
+static void test_failing_forced_routes(void)
+{
+    vm_osc_problem o = a_problem();
+    vm_osc_motion motion = {7, 7, 7, 7, 7, 7};
+    int route, status;
+    o.x = 1;
+    o.force = weak_force;
+    o.mass = vm_law_table(6, knots, at_knots);
+    o.stiffness = vm_law_user(failing_law, NULL);
+    for (good_calls = 0; good_calls < 6000; good_calls += 1 + good_calls / 20)
+        for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87 + 1; route++) {
+            const vm_real t = (good_calls + route) % 2 == 0 ? 25 : -15;
+            calls = 0;
+            if (route > VM_ROUTE_RK87) status = vm_osc_within(&o, t, R(1e-3), &motion);
+            else status = vm_osc_by_route(&o, route, t, R(1e-3), &motion);
+            if (calls > good_calls) CHECK(status < 0 && motion.x == 7);
+            else CHECK(status >= 0 || status == VM_NO_LAW || status == VM_NOT_INTEGRATED);
+            motion.x = 7;
+        }
 }
 
 /* Odd forces, plans and laws that lack something, and motions at rest or on the border between two kinds of motion */
@@ -883,6 +920,7 @@ int main(void)
     test_overflowing_plans();
     test_failing_odd_forces();
     test_failing_van_der_pol();
+    test_failing_forced_routes();
     test_odd_limits();
     test_odd_starts();
     test_kinds_of_stiffness();

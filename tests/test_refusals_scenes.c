@@ -958,6 +958,10 @@ static void test_impossible_bodies(void)
     g.effects[0] = vm_effect_gravity(0, 0, 1);
     CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_MASS);
     b.mass = 1;
+    b.inertia.zz = 5; /* more than the sum of the other two */
+    g.bodies[0] = vm_scene_body_growing_free(vm_scene_body_free(&b));
+    CHECK(vm_scene_check(&g.s, NULL) == VM_BAD_INERTIA);
+    b.inertia.zz = 1;
     g.bodies[0] = vm_scene_body_growing_free(vm_scene_body_free(&b));
     CHECK(vm_scene_start(&g.s, 0, g.y, NULL) == VM_OK);
     g.effects[0].apply = NULL;
@@ -1033,7 +1037,15 @@ static void test_masses_at_one_place(void)
     CHECK(vm_scene_rhs(0, g.y, rates, &g.s) == VM_OK && g.s.status == VM_NOT_FINITE && rates[0] != rates[0]);
 }
 
-/* A body on an axle without inertia, and a mass of the state that is used up */
+/* An effect of the user that gives its body 1 kg more */
+static void heavier(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
+{
+    (void)t;
+    (void)y;
+    scene->bodies[e->body].load.mass += 1;
+}
+
+/* A body on an axle without inertia, and a mass of the state that is used up, whatever an effect adds to it */
 static void test_nothing_to_accelerate(void)
 {
     static stage g;
@@ -1045,6 +1057,13 @@ static void test_nothing_to_accelerate(void)
     g.bodies[0] = vm_scene_body_with_mass_state(vm_scene_body_line(2, 0, 1));
     g.effects[0] = vm_effect_stream(0, -1, zero, 1);
     CHECK(vm_scene_start(&g.s, 0, g.y, NULL) == VM_OK);
+    g.y[g.bodies[0].mass_at] = 0;
+    CHECK(vm_scene_rhs(0, g.y, rates, &g.s) == VM_OK && g.s.status == VM_BAD_MASS && rates[0] != rates[0]);
+    set_stage(&g, 1, 2, 0);
+    g.bodies[0] = vm_scene_body_with_mass_state(vm_scene_body_line(2, 0, 1));
+    g.effects[0] = vm_effect_stream(0, -1, zero, 1);
+    g.effects[1] = vm_effect_custom(0, VM_GROUND, heavier, NULL);
+    CHECK(vm_scene_start(&g.s, 0, g.y, NULL) == VM_OK && vm_scene_rhs(0, g.y, rates, &g.s) == VM_OK && g.s.status == VM_OK);
     g.y[g.bodies[0].mass_at] = 0;
     CHECK(vm_scene_rhs(0, g.y, rates, &g.s) == VM_OK && g.s.status == VM_BAD_MASS && rates[0] != rates[0]);
 }
