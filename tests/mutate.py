@@ -6,10 +6,10 @@ index or a count, or swaps the alternatives of a conditional. Lines are drawn fr
 the map that coverage.py leaves (lines that have moved since are found by their text), each of a header with the same
 chance. The programs that execute the line are built and run one by one, those in double first, then those in float,
 the header's own and the quickest first, and last those that take SLOW seconds, until one fails, ends with a signal or
-needs four times its time. Where all pass, MANY of each precision, the mutant has survived and is printed, to be
-judged: a test is missing, or it is equivalent (the results are as good) and goes with its reason to
-tests/mutants.txt, whose mutants count neither as caught nor as missed. tcc, where it is there, makes this a matter of
-seconds.
+needs four times its time. tcc, where it is there, makes this a matter of seconds; since some lines are compiled by gcc
+only, what passes is then tried by gcc. Where all pass, MANY of each precision and the slow ones, the mutant has
+survived and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with
+its reason to tests/mutants.txt, whose mutants count neither as caught nor as missed.
 
 A file of src/ that is copied into several headers belongs to the first of them (rooms.py); the mutant is in all copies.
 
@@ -105,9 +105,9 @@ def write(folder, headers):
 COMPILERS = {}
 
 
-def compiler_of(folder, name, seconds):
+def compiler_of(folder, name, seconds, by_gcc):
     """The first one by which the program compiles and passes, with the headers as they are; four times as long."""
-    tcc = shutil.which(TCC[0]) and seconds < SLOW and not name.endswith('_contracted')
+    tcc = not by_gcc and shutil.which(TCC[0]) and seconds < SLOW and not name.endswith('_contracted')
     for compiler in (TCC, GCC) if tcc else (GCC,):
         if built(folder, name, compiler):
             before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
@@ -119,27 +119,27 @@ def compiler_of(folder, name, seconds):
 def judge(folder, right, wrong, programs, seconds):
     """'caught', 'stillborn' (does not compile), or 'survived', of the headers wrong, {header: lines}; the headers right
     are put back afterwards."""
-    verdict = 'survived'
-    for name in programs:
-        if name not in COMPILERS:
-            COMPILERS[name] = compiler_of(folder, name, seconds[name])
-        compiler, limit = COMPILERS[name]
+    for name, by_gcc in [(name, False) for name in programs] + [(name, True) for name in programs]:
+        if (name, by_gcc) not in COMPILERS:
+            COMPILERS[name, by_gcc] = compiler_of(folder, name, seconds[name], by_gcc)
+        compiler, limit = COMPILERS[name, by_gcc]
+        if by_gcc and COMPILERS[name, False][0] is GCC: # it has been tried
+            continue
         write(folder, wrong)
-        if not built(folder, name, compiler):
-            verdict = 'stillborn'
-        elif not passes(folder, limit):
-            verdict = 'caught'
+        is_built = built(folder, name, compiler)
+        is_right = is_built and passes(folder, limit)
         write(folder, right)
-        if verdict != 'survived':
-            break
-    return verdict
+        if not is_right:
+            return 'caught' if is_built else 'stillborn'
+    return 'survived'
 
 
 def in_order(header, names, seconds):
-    """The programs to try: in double, then in float, the header's own and the quickest first; last the slow ones."""
+    """The programs to try: in double, then in float, the header's own and the quickest first; last the slow ones, in
+    float only the header's own."""
     quick = sorted((name for name in names if seconds[name] < SLOW),
                    key=lambda name: (not name.startswith(header), seconds[name]))
-    slow = [name for name in names if seconds[name] >= SLOW and not flags_of(name)]
+    slow = [name for name in names if seconds[name] >= SLOW and (not flags_of(name) or name.startswith(header))]
     kinds = [[name for name in quick if re.search(r'_float$|_contracted$|$', name)[0] == ending]
              for ending in ('', '_float')]
     return kinds[0][:MANY] + kinds[1][:MANY] + slow or names[:MANY]
