@@ -120,11 +120,11 @@ def judge(folder, right, wrong, programs, seconds):
     """'caught', 'stillborn' (does not compile), or 'survived', of the headers wrong, {header: lines}; the headers right
     are put back afterwards."""
     for name, by_gcc in [(name, False) for name in programs] + [(name, True) for name in programs]:
+        if by_gcc and COMPILERS[name, False][0] is GCC: # it has been tried
+            continue
         if (name, by_gcc) not in COMPILERS:
             COMPILERS[name, by_gcc] = compiler_of(folder, name, seconds[name], by_gcc)
         compiler, limit = COMPILERS[name, by_gcc]
-        if by_gcc and COMPILERS[name, False][0] is GCC: # it has been tried
-            continue
         write(folder, wrong)
         is_built = built(folder, name, compiler)
         is_right = is_built and passes(folder, limit)
@@ -134,11 +134,21 @@ def judge(folder, right, wrong, programs, seconds):
     return 'survived'
 
 
+def is_own(header, name):
+    """Does the program's source include this header, itself or by a header of the tests?"""
+    with open('tests/test_' + re.sub(r'_(float|contracted)$', '', name) + '.c') as file:
+        text = file.read()
+    for local in re.findall(r'#include "(\w+\.h)"', text):
+        with open(f'tests/{local}') as file:
+            text += file.read()
+    return f'"../{header}.h"' in text
+
+
 def in_order(header, names, seconds):
     """The programs to try: in double, then in float, the header's own and the quickest first; last the slow ones, in
-    float only the header's own."""
+    float only those that have the header's name."""
     quick = sorted((name for name in names if seconds[name] < SLOW),
-                   key=lambda name: (not name.startswith(header), seconds[name]))
+                   key=lambda name: (not is_own(header, name), seconds[name]))
     slow = [name for name in names if seconds[name] >= SLOW and (not flags_of(name) or name.startswith(header))]
     kinds = [[name for name in quick if re.search(r'_float$|_contracted$|$', name)[0] == ending]
              for ending in ('', '_float')]

@@ -454,6 +454,15 @@ static void test_any_parameter(void)
     }
 }
 
+/* Pi between pi/2 and pi, where the other way to compute it would have an error of 6 ulp: the value is by mpmath. */
+static void test_Pi_beyond_quarter(void)
+{
+    const double phi = 2.874661922454834, n = 0.93713384866714478, m = 0.36673146486282349;
+    if (!representable(phi) || !representable(n) || !representable(m)) return;
+    check_error("Pi", "beyond pi/2", "ulp",
+                ERROR_ULP(jacobi_Pi_incomplete(R(phi), R(n), R(m)), 14.732939788873678, 2.53953e-17), is_float ? 8 : 3, phi, n);
+}
+
 int main(void)
 {
     test_table();
@@ -469,5 +478,6 @@ int main(void)
     test_domain();
     test_any_parameter();
     test_integrals_above_one();
+    test_Pi_beyond_quarter();
     return check_finish("integrals");
 }

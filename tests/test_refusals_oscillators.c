@@ -807,6 +807,10 @@ static void test_odd_limits(void)
     CHECK(fabs((double)x - 2 / cosh(sqrt(2))) < 64 * eps);
     CHECK(vm_odd_exact_from(&well, 1, 2, 0, &x, &v) == VM_NO_LAW);
     CHECK(vm_odd_plan_init(&plan, &o, 1) == VM_OK);
+    CHECK(vm_odd_plan_by_route(&plan, VM_ODD_MEAN, R(0.001), 0, &motion) == VM_OK);
+    x = motion.amplitude;
+    CHECK(vm_odd_plan_by_route(&plan, VM_ODD_MEAN, 0, 0, &motion) == VM_OK && VM_FABS(motion.amplitude / x - 1) < R(0.01));
+    motion.x = 7;
     for (k = 0; k < 2; k++) {
         CHECK(vm_odd_plan_by_route(&plan, VM_ODD_RK87, R(0.5), tolerances[k], &motion) == (k ? VM_DOMAIN : VM_NOT_FINITE));
         CHECK(vm_odd_plan_within(&plan, R(0.5), tolerances[k], &motion) == (k ? VM_DOMAIN : VM_NOT_FINITE));

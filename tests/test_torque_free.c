@@ -926,8 +926,23 @@ static void test_scale_of_moments(void)
     }
 }
 
+/* R_F(0, 1 - m, 1) is K(m): in two words against three */
+static void test_rf_in_words(void)
+{
+    double exponent;
+    for (exponent = -20; exponent < 20; exponent += 0.37) {
+        const vm_real m1 = (vm_real)pow(2, exponent);
+        const vm_two rf = vmi_carlson_rf(vmi_two(0, 0), vmi_two(m1, 0), vmi_two(1, 0));
+        const vmi_three K = vmi_K_three_words(m1, 0);
+        const double unit = (double)VM_EPSILON * (double)VM_EPSILON;
+        const double error = fabs(((double)(rf.hi - K.hi) + (double)(rf.lo - K.mid)) - (double)K.lo) / (double)K.hi;
+        check_error("R_F, two words", "= K", "eps^2", error / unit, 4, (double)m1, 0);
+    }
+}
+
 int main(void)
 {
+    test_rf_in_words();
     test_length();
     test_scale_of_moments();
     test_published();
