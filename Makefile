@@ -65,7 +65,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan routes points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof proof-kernels packages site docs check-docs campaigns counts hard-cases promises numbers peers
+.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan routes points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof proof-kernels packages site docs check-docs campaigns counts hard-cases promises numbers peers test-gpu
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -205,6 +205,17 @@ points: build/command
 test-cross:
 	sh tests/cross.sh build docs/cross.md $(TESTS)
 	@$(STAMP) cross
+
+# the golden program on a graphics processor, a single thread of it, and examples/cuda; nvcc takes twenty minutes
+test-gpu:
+	@mkdir -p build && $(IN_BUILD)
+	for precision in "" -DVM_USE_FLOAT; do \
+	    nvcc -std=c++17 -O1 -fmad=false -diag-suppress 20011 $$precision tests/golden.cu -o build/golden_gpu && ./build/golden_gpu || exit 1; \
+	    done >build/golden_gpu.txt
+	diff tests/data/golden.txt build/golden_gpu.txt
+	for precision in "" -DVM_USE_FLOAT; do \
+	    nvcc -std=c++14 -O3 -fmad=false $$precision -I. examples/cuda/oscillators.cu -o build/oscillators_gpu && ./build/oscillators_gpu || exit 1; \
+	    done
 
 # a bounded time of fuzzing, all targets together; then errors that are planted must be found
 SECONDS = 240

@@ -12,22 +12,22 @@ failed=
 # A row a part: name; headers; command; the lines of its output that are the result (a regular expression); what it shows
 parts() {
     cat <<'END'
-scan; ateb jacobi; make scan; passed, ; errors at a million random arguments in each region, compared with quadruple precision
-points; ateb jacobi; make points; passed, ; errors at 20 000 new points of each table, compared with arbitrary precision
-routes; ateb jacobi integrators varmass; make routes; passed, ; errors and estimates of 2000 random oscillators by all routes
-exhaustive; ateb jacobi; make exhaustive; passed, ; errors at every float of a period
-evaluations; ateb jacobi varmass; make evaluations; ^all|violations; ranges, symmetries and identities at random arguments
-events; integrators; make test-events; passed, ; random runs whose events coincide, jump or vanish
-threads; ateb jacobi integrators varmass; make test-threads; passed|equal; results with the same bits in eight threads, under ThreadSanitizer
-coverage; ateb jacobi integrators varmass; make coverage; [.]h ; how many lines and outcomes of conditions the tests execute
+scan; ateb jacobi; make scan; passed, ; errors of the special functions at a million random arguments in each region, found by comparison with quadruple precision
+points; ateb jacobi; make points; passed, ; errors of the special functions at 20 000 new points of each table of true values, which are computed with arbitrary precision
+routes; ateb jacobi integrators varmass; make routes; passed, ; errors and estimated errors of the motions of 2000 random oscillators by all routes (formulas and integrators)
+exhaustive; ateb jacobi; make exhaustive; passed, ; errors of functions in float, at every float within one period
+evaluations; ateb jacobi varmass; make evaluations; ^all|violations; whether the special functions keep to their ranges, symmetries and identities at random arguments
+events; integrators; make test-events; passed, ; whether integrators find every event exactly once, in random runs whose events coincide, jump or vanish
+threads; ateb jacobi integrators varmass; make test-threads; passed|equal; whether eight threads at once compute results with the same bits as one thread, under ThreadSanitizer
+coverage; ateb jacobi integrators varmass; make coverage; [.]h ; how many lines the tests execute, and how many outcomes of conditions occur in the tests
 mutation; ateb jacobi integrators varmass; make test-mutate; caught, ; how many deliberate errors in the headers the tests notice
-proof; ateb jacobi integrators varmass; make proof; passed|kinds of alarms; run-time errors excluded for all arguments of jacobi.h, ateb.h, integrators.h and half of varmass.h, by abstract interpretation
-kernels; jacobi; make proof-kernels KERNELS=full; passed, ; error bounds of the elementary kernels proved by Gappa and Sollya
-sanitizers; ateb jacobi integrators varmass; make test-sanitize; passed, ; sanitizers, valgrind and static analysers
-fuzz; ateb jacobi integrators varmass; make test-fuzz; planted|passed, ; all functions called with generated inputs, and deliberate errors found
-cross; ateb jacobi integrators varmass; make test-cross; ^cross: ; results with the same bits, and passing tests, on every target
-peers; ateb jacobi integrators varmass; make peers; ^No peer|^A peer; times and errors, compared with those of GSL, Boost and SUNDIALS
-cost; ateb jacobi integrators varmass; make cost; ^wrote; times of all routes, on a machine that does nothing else
+proof; ateb jacobi integrators varmass; make proof; passed|kinds of alarms; a proof, by abstract interpretation, that certain run-time errors cannot occur at any arguments in jacobi.h, ateb.h, integrators.h and half of varmass.h
+kernels; jacobi; make proof-kernels KERNELS=full; passed, ; a proof, by Gappa and Sollya, of bounds for the errors of basic functions (kernels)
+sanitizers; ateb jacobi integrators varmass; make test-sanitize; passed, ; what sanitizers, valgrind and static analysers find
+fuzz; ateb jacobi integrators varmass; make test-fuzz; planted|passed, ; whether calls of all functions with generated inputs find errors, and whether such calls find deliberate errors
+cross; ateb jacobi integrators varmass; make test-cross; ^cross: ; whether results have the same bits, and the tests pass, on every target (processor and compiler)
+peers; ateb jacobi integrators varmass; make peers; ^No peer|^A peer; times and errors of the kit, compared with those of GSL, Boost and SUNDIALS
+cost; ateb jacobi integrators varmass; make cost; ^wrote; times of all routes (methods of computing), on a machine that does nothing else
 END
 }
 is_wanted() { [ -z "$wanted" ] || echo " $wanted " | grep -q " $1 "; }
@@ -65,11 +65,12 @@ done 3<$folder/parts
 
 This page is written by `make campaigns` (bench/campaigns.sh).
 
-A campaign is a check that takes too long for `make test-all`. For each campaign, the table says what it shows, with which
-headers it ran, and what it printed at its end. A header is identified by a stamp, which is a hash of the code of the
-header (bench/stamp.sh). If the stamps of a row are not those of today's headers, the campaign ran with earlier headers.
-[reliability.md](reliability.md) says what the campaigns found. The command `make campaigns` runs all campaigns. The
-command `make campaigns CAMPAIGNS="scan proof"` runs only the campaigns scan and proof.
+A campaign is a check that takes too long for `make test-all`. For each campaign, the table says what the campaign shows,
+with which headers it ran, and what it printed at its end. The column "headers" has the stamps of the headers. A stamp is
+a hash, a number that bench/stamp.sh computes from the code of a header and that changes if the code changes. If the
+stamps of a row are not those of today's headers, the campaign ran with earlier headers. The command `make campaigns` runs
+all campaigns. The command `make campaigns CAMPAIGNS="scan proof"` runs only the campaigns scan and proof.
+[reliability.md](reliability.md) says which errors the campaigns found.
 
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|

@@ -72,11 +72,12 @@ compiler=$($CC --version) || fail "the compiler $CC does not say its version"
 {
     echo '# Instructions of a call'
     echo
-    echo "This page is written by \`make bench-count\`, on $(uname -m) with $(echo "$compiler" | head -n 1), $FLAGS."
-    echo 'The program callgrind counts the instructions that a call executes. The counts are the same in every run; each count is'
-    echo 'the mean of 200 calls. Some names have an addition, such as _4_3 for alpha = 4/3 or _to_1e_3 for a tolerance of 1e-3;'
-    echo 'bench/count.c has all calls and their arguments. In the rows of integrators, a call is one step of a motion with the'
-    echo "equation x'' = -x^3."
+    echo "The command \`make counts\` writes this page. The machine was an $(uname -m), and the compiler was $(echo "$compiler" | head -n 1)"
+    echo "with $FLAGS."
+    echo 'The table says how many machine instructions a call executes. The program callgrind counted them. Each count is the mean of 200'
+    echo 'calls, and it is the same in every run. Some names end with an addition that says how the function was called, such as _4_3 for'
+    echo 'alpha = 4/3 or _to_1e_3 for a tolerance of 1e-3; bench/count.c has all calls and their arguments. In the rows of the integrators'
+    echo "(rk4, rk45, rk87), a call is one step of a motion with the equation x'' = -x^3."
     echo
     echo '| function | double | float |'
     echo '|---|---|---|'

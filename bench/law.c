@@ -301,8 +301,8 @@ static void print_reports(int n)
     for (i = 0; i < n; i++)
         if (random_error[ORDERS - 1][i] > bound) add_report(&problems[i], length / rate, bound, &r);
     printf("\nIn %d problems the error of order 5 is above 1e-9. In %d of these problems the estimate is much too small, that is\n"
-           "below 1e-9/3 at a time when the error is above 1e-9. With the tolerance 1e-9, `vm_osc_plan_within` integrates these\n"
-           "problems by collocation instead. In these problems the largest error of collocation is %.1e.\n",
+           "below 1e-9/3 at a time when the error is above 1e-9. If the tolerance is 1e-9, `vm_osc_plan_within` integrates these\n"
+           "problems by collocation instead, and the largest error of its results is then %.1e.\n",
            r.above, r.silent, r.within);
 }
 

@@ -66,24 +66,30 @@ ratio() { # ratio least|most PROBLEMS COLUMN ROUTE PEER
         }' "$root/docs/cost.md"
 }
 
-worst_of() { number "$1" "docs/$2.md, $3, bound $5 $4" worst "$2" "$3" "$4" "$5" "$6"; } # worst_of NAME and what worst wants
+worst_of() { # worst_of NAME and what worst wants, WHAT
+    number "$1" "docs/$2.md: worst error in double ($4) of $7, rows of $3 with the bound $5 $4" worst "$2" "$3" "$4" "$5" "$6"
+}
 promise() { # promise NAME "ENTRY OF THE MANUAL" BOUND : the worst error in double
-    number "$1" "docs/promises.md, the manual, $2, $3" cell most promises "^[|] the manual, $2 [|] $3 [|]" 3
+    number "$1" "docs/promises.md: worst error in double, row \"the manual, $2\" with the bound $3" cell most promises "^[|] the manual, $2 [|] $3 [|]" 3
 }
 # a column of the row that a job and a route name in the table "In short" of docs/cost.md: 3 error, 4 ns, 5 ratio
 in_short() { # in_short NAME "JOB" "ROUTE" COLUMN
-    number "$1" "docs/cost.md, in short: $2, \`$3\`" cell least cost "^[|] [^|]* [|] $2 [|] \`$3\`" $(($4 + 1))
+    rows="^[|] [^|]* [|] $2 [|] \`$3\`"
+    of=$(awk -F' [|] ' -v rows="$rows" '$0 ~ rows {print $2; exit}' "$root/docs/cost.md")
+    what=$([ "$4" = 3 ] && echo error || echo ratio)
+    number "$1" "docs/cost.md, \"In short\": $what in the row \"$of\", \`$3\`" cell least cost "$rows" $(($4 + 1))
 }
-ratios() { # ratios NAME PROBLEMS COLUMN ROUTE PEER : NAME_least and NAME_most
-    number "$1_least" "docs/cost.md, integrators: smallest ratio of the times, \`$4\` to \`$5\`" ratio least "$2" "$3" "$4" "$5"
-    number "$1_most" "docs/cost.md, integrators: largest ratio of the times, \`$4\` to \`$5\`" ratio most "$2" "$3" "$4" "$5"
+ratios() { # ratios NAME PROBLEMS COLUMN ROUTE PEER HEAD : NAME_least and NAME_most
+    of=$(echo "$2" | sed 's/[|]/, /g')
+    number "$1_least" "docs/cost.md, \"Integrators\", column \"$6\": smallest ratio of the time of \`$4\` to that of \`$5\` in the problems $of" ratio least "$2" "$3" "$4" "$5"
+    number "$1_most" "docs/cost.md, \"Integrators\", column \"$6\": largest ratio of the time of \`$4\` to that of \`$5\` in the problems $of" ratio most "$2" "$3" "$4" "$5"
 }
 # the law of an order at once and from a plan, in the table of oscillators of docs/cost.md: error, µs, ns
 law_numbers() { # law_numbers ORDER
-    number "order$1_error" "docs/cost.md, oscillators" cell least cost "^[|] .vm_osc_by_route order $1. [|] [^|]* µs [|]" 2 1
-    number "order$1_time" "docs/cost.md, oscillators, µs" cell least cost "^[|] .vm_osc_by_route order $1. [|] [^|]* µs [|]" 2 2
+    number "order$1_error" "docs/cost.md, first table of \"Oscillators\": error in the row \`vm_osc_by_route order $1\`" cell least cost "^[|] .vm_osc_by_route order $1. [|] [^|]* µs [|]" 2 1
+    number "order$1_time" "docs/cost.md, first table of \"Oscillators\": time in µs in the row \`vm_osc_by_route order $1\`" cell least cost "^[|] .vm_osc_by_route order $1. [|] [^|]* µs [|]" 2 2
     # a plan's time stands in ns there
-    number "order$1_plan_time" "docs/cost.md, oscillators, from a plan, µs" plan_time "$1"
+    number "order$1_plan_time" "docs/cost.md, first table of \"Oscillators\": time in µs in the row \`vm_osc_plan_by_route order $1\`" plan_time "$1"
 }
 plan_time() {
     ns=$(cell least cost "^[|] .vm_osc_plan_by_route order $1. [|] [^|]* ns [|]" 2 2)
@@ -100,19 +106,19 @@ size_of() { # size_of "FLAGS" HEADER TYPE : bytes of a type, by the compiler
 
 table() {
     hard='docs/hard-cases.md'
-    number hard_cases "$hard, number of rows" hard_cases all
-    number hard_cases_no_number "$hard, rows in which the naive formula gives no number" hard_cases none
-    number hard_cases_thousand "$hard, rows in which the naive formula is a thousand times worse, or gives no number" hard_cases worse
+    number hard_cases "$hard: number of rows of all tables" hard_cases all
+    number hard_cases_no_number "$hard: number of rows with \"no number\" for the naive formula in double" hard_cases none
+    number hard_cases_thousand "$hard: number of rows whose naive error in double is 1000 or more times the error, or no number" hard_cases worse
 
-    worst_of K_error scan scan ulp 2 K
-    worst_of E_error scan scan ulp 2 E
-    worst_of sncndn_eps scan scan eps 4 'sn|cn|dn'
-    worst_of sncndn_ulp scan scan ulp 9 'sn|cn|dn'
-    worst_of solve_kpK_error scan scan ulp 4 'solve_kpK(_m1)?'
-    worst_of ateb_pi_error scan scan ulp 1 Pi
-    worst_of saca_eps scan scan eps 4 'sa|ca'
-    worst_of saca_ulp scan scan ulp 8 'sa|ca'
-    worst_of ateb_plan_ulp scan scan ulp 2 'plan sa|plan ca'
+    worst_of K_error scan scan ulp 2 K K
+    worst_of E_error scan scan ulp 2 E E
+    worst_of sncndn_eps scan scan eps 4 'sn|cn|dn' 'sn, cn and dn'
+    worst_of sncndn_ulp scan scan ulp 9 'sn|cn|dn' 'sn, cn and dn'
+    worst_of solve_kpK_error scan scan ulp 4 'solve_kpK(_m1)?' 'solve_kpK and solve_kpK_m1'
+    worst_of ateb_pi_error scan scan ulp 1 Pi Pi
+    worst_of saca_eps scan scan eps 4 'sa|ca' 'sa and ca'
+    worst_of saca_ulp scan scan ulp 8 'sa|ca' 'sa and ca'
+    worst_of ateb_plan_ulp scan scan ulp 2 'plan sa|plan ca' 'plan sa and plan ca'
     promise jump_momentum Jumps '3 eps'
     promise jump_angular_momentum Jumps '6 eps'
     promise rotation_attitude Rotation '8 eps'
@@ -134,51 +140,51 @@ table() {
     in_short ateb_plan_power_time 'saca, .* alpha = 1.333' ateb_plan_saca 5
     in_short rotation_error 'triaxial 1e6' exact 3
     in_short rotation_sines 'triaxial 1e6' exact 5
-    number rotation_time "docs/cost.md, free rotation, 1e6 turns, µs" cell least cost '^[|] `exact` ' 5 2
-    number rotation_gsl_error "docs/cost.md, free rotation, 1e6 turns, rad" cell least cost 'GSL rk8pd`, 1e-09' 5 1
-    number rotation_gsl_time "docs/cost.md, free rotation, 1e6 turns, s" cell least cost 'GSL rk8pd`, 1e-09' 5 2
+    number rotation_time "docs/cost.md, \"Free rotation\": time in µs, row \`exact\`, column \"1e6 turns\"" cell least cost '^[|] `exact` ' 5 2
+    number rotation_gsl_error "docs/cost.md, \"Free rotation\": error in rad, row \`GSL rk8pd\`, 1e-09, column \"1e6 turns\"" cell least cost 'GSL rk8pd`, 1e-09' 5 1
+    number rotation_gsl_time "docs/cost.md, \"Free rotation\": time in s, row \`GSL rk8pd\`, 1e-09, column \"1e6 turns\"" cell least cost 'GSL rk8pd`, 1e-09' 5 2
 
-    number cn_corrected_error "docs/cost.md, oscillators" cell least cost '^[|] `cn corrected`' 2 1
-    number cn_corrected_time "docs/cost.md, oscillators, ns" cell least cost '^[|] `cn corrected`' 2 2
-    number oscillator_gsl_2 "docs/cost.md, oscillators, to 1e-2, µs" cell least cost '^[|] `GSL rk8pd` [|]' 3
-    number oscillator_gsl_8 "docs/cost.md, oscillators, to 1e-8, µs" cell least cost '^[|] `GSL rk8pd` [|]' 6
-    number oscillator_gsl_10 "docs/cost.md, oscillators, to 1e-10, µs" cell least cost '^[|] `GSL rk8pd` [|]' 7
+    number cn_corrected_error "docs/cost.md, first table of \"Oscillators\": error in the row \`cn corrected\`" cell least cost '^[|] `cn corrected`' 2 1
+    number cn_corrected_time "docs/cost.md, first table of \"Oscillators\": time in ns in the row \`cn corrected\`" cell least cost '^[|] `cn corrected`' 2 2
+    number oscillator_gsl_2 "docs/cost.md, first table of \"Oscillators\": time in µs, row \`GSL rk8pd\`, column \"1e-2\"" cell least cost '^[|] `GSL rk8pd` [|]' 3
+    number oscillator_gsl_8 "docs/cost.md, first table of \"Oscillators\": time in µs, row \`GSL rk8pd\`, column \"1e-8\"" cell least cost '^[|] `GSL rk8pd` [|]' 6
+    number oscillator_gsl_10 "docs/cost.md, first table of \"Oscillators\": time in µs, row \`GSL rk8pd\`, column \"1e-10\"" cell least cost '^[|] `GSL rk8pd` [|]' 7
     law_numbers 3
     law_numbers 5
     power='^[|] alpha=4/3 psi0=0[.]7 eps=0[.]01 [|].*[|] `vm_osc_by_route order [345]` [0-9.]+ µs; GSL [0-9.]+ ms [|]'
-    number power_time "docs/cost.md, all oscillators, alpha = 4/3, to 1e-8, µs" cell least cost "$power" 5 2
-    number power_gsl_time "docs/cost.md, all oscillators, alpha = 4/3, to 1e-8, ms" cell least cost "$power" 5 3
-    number oscillator_rk87_8 "docs/cost.md, oscillators, to 1e-8, µs" cell least cost '^[|] `rk87_solve` [|]  [|]' 6
+    number power_time "docs/cost.md, second table of \"Oscillators\": time in µs of \`vm_osc_by_route\`, row \"alpha=4/3 psi0=0.7 eps=0.01\", column \"1e-8\"" cell least cost "$power" 5 2
+    number power_gsl_time "docs/cost.md, second table of \"Oscillators\": time in ms of GSL, row \"alpha=4/3 psi0=0.7 eps=0.01\", column \"1e-8\"" cell least cost "$power" 5 3
+    number oscillator_rk87_8 "docs/cost.md, first table of \"Oscillators\": time in µs, row \`rk87_solve\`, column \"1e-8\"" cell least cost '^[|] `rk87_solve` [|]  [|]' 6
 
     all='cubic|mass|momentum|body|orbit' smooth='cubic|mass|momentum|body'
-    ratios rk4_loop "$all" 5 rk4_solve rk4_loop
-    ratios rk45_loop "$all" 5 rk45_solve dp54_loop
-    ratios rk45_gsl "$all" 5 rk45_solve gsl_rkf45
-    ratios rk87_gsl "$smooth" 7 rk87_solve gsl_rk8pd
-    number rk87_gsl_orbit "docs/cost.md, integrators, to 1e-8" ratio least orbit 6 rk87_solve gsl_rk8pd
+    ratios rk4_loop "$all" 5 rk4_solve rk4_loop 1e-6
+    ratios rk45_loop "$all" 5 rk45_solve dp54_loop 1e-6
+    ratios rk45_gsl "$all" 5 rk45_solve gsl_rkf45 1e-6
+    ratios rk87_gsl "$smooth" 7 rk87_solve gsl_rk8pd 1e-10
+    number rk87_gsl_orbit "docs/cost.md, \"Integrators\", column \"1e-8\": ratio of the time of \`rk87_solve\` to that of \`gsl_rk8pd\` in the problem orbit" ratio least orbit 6 rk87_solve gsl_rk8pd
 
-    number effect_least "docs/cost.md, effects, linear spring" cell least cost '^[|] linear spring [|]' 3
+    number effect_least "docs/cost.md, \"Scenes and streams\", column \"adds without its arithmetic\": ratio in the row \"linear spring\"" cell least cost '^[|] linear spring [|]' 3
     effects='linear spring|cubic spring|second damper|Van der Pol|gravity|drive|harmonic|own force|mass of time'
-    number effect_most "docs/cost.md, effects, largest of those that call no power" cell most cost "^[|] ($effects) [|]" 3
+    number effect_most "docs/cost.md, \"Scenes and streams\", column \"adds without its arithmetic\": largest ratio of the effects that compute no power" cell most cost "^[|] ($effects) [|]" 3
     chain='^[|] 10* [|] [0-9.]+ [|]$'
-    number chain_least "docs/cost.md, a chain of bodies, ns a body" cell least cost "$chain" 2
-    number chain_most "docs/cost.md, a chain of bodies, ns a body" cell most cost "$chain" 2
-    number spring_flash "docs/scene-sizes.md, M4F, bytes that a linear spring adds" spring_flash
+    number chain_least "docs/cost.md, \"Scenes and streams\", column \"ns a body\": smallest value" cell least cost "$chain" 2
+    number chain_most "docs/cost.md, \"Scenes and streams\", column \"ns a body\": largest value" cell most cost "$chain" 2
+    number spring_flash "docs/scene-sizes.md, column M4F: bytes in the row \"a linear spring\" minus those in the row \"a body on a line, nothing acts\"" spring_flash
     closed='^[|] `vm_osc_closed_at [(]order 5[)]`'
-    number closed_flash "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 1
-    number closed_stack "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 2
-    number closed_instructions "docs/firmware.md, M4F, float" cell least firmware "$closed" 3 3
+    number closed_flash "docs/firmware.md, float, column M4F: flash in bytes in the row \`vm_osc_closed_at (order 5)\`" cell least firmware "$closed" 3 1
+    number closed_stack "docs/firmware.md, float, column M4F: stack in bytes in the row \`vm_osc_closed_at (order 5)\`" cell least firmware "$closed" 3 2
+    number closed_instructions "docs/firmware.md, float, column M4F: instructions in the row \`vm_osc_closed_at (order 5)\`" cell least firmware "$closed" 3 3
     plan='^[|] `ateb_plan_saca [(]alpha = 3[)]`'
-    number saca_plan_instructions "docs/firmware.md, M4F, float" cell least firmware "$plan" 3 3
-    number saca_plan_instructions_double "docs/firmware.md, M4F, double" cell most firmware "$plan" 3 3
-    number saca_plan_instructions_m7 "docs/firmware.md, M7, double" cell most firmware "$plan" 4 3
-    number amplitude_instructions "docs/firmware.md, M4F, float" cell least firmware '^[|] `vm_osc_amplitude_law`' 3 3
-    number coverage_lines "docs/reliability.md, smallest value of the headers, %" coverage 3
-    number coverage_outcomes "docs/reliability.md, smallest value of the headers, %" coverage 5
-    number jacobi_plan_bytes "sizeof" size_of "" jacobi.h jacobi_plan
-    number jacobi_plan_bytes_float "sizeof" size_of -DVM_USE_FLOAT jacobi.h jacobi_plan
-    number ateb_plan_bytes "sizeof" size_of "" ateb.h ateb_plan
-    number ateb_plan_bytes_float "sizeof" size_of -DVM_USE_FLOAT ateb.h ateb_plan
+    number saca_plan_instructions "docs/firmware.md, float, column M4F: instructions in the row \`ateb_plan_saca (alpha = 3)\`" cell least firmware "$plan" 3 3
+    number saca_plan_instructions_double "docs/firmware.md, double, column M4F: instructions in the row \`ateb_plan_saca (alpha = 3)\`" cell most firmware "$plan" 3 3
+    number saca_plan_instructions_m7 "docs/firmware.md, double, column M7: instructions in the row \`ateb_plan_saca (alpha = 3)\`" cell most firmware "$plan" 4 3
+    number amplitude_instructions "docs/firmware.md, float, column M4F: instructions in the row \`vm_osc_amplitude_law\`" cell least firmware '^[|] `vm_osc_amplitude_law`' 3 3
+    number coverage_lines "docs/reliability.md, first table: smallest percentage of the headers in the column \"executed\"" coverage 3
+    number coverage_outcomes "docs/reliability.md, first table: smallest percentage of the headers in the column \"taken\"" coverage 5
+    number jacobi_plan_bytes "the compiler: sizeof of a \`jacobi_plan\` in double" size_of "" jacobi.h jacobi_plan
+    number jacobi_plan_bytes_float "the compiler: sizeof of a \`jacobi_plan\` in float" size_of -DVM_USE_FLOAT jacobi.h jacobi_plan
+    number ateb_plan_bytes "the compiler: sizeof of an \`ateb_plan\` in double" size_of "" ateb.h ateb_plan
+    number ateb_plan_bytes_float "the compiler: sizeof of an \`ateb_plan\` in float" size_of -DVM_USE_FLOAT ateb.h ateb_plan
 }
 spring_flash() {
     awk -F' [|] ' '$1 ~ /nothing acts$/ && !n++ {bare = $3 + 0} $1 == "| a linear spring" {print $3 - bare}' "$root/docs/scene-sizes.md"
@@ -253,9 +259,11 @@ mode=$1
 shift
 case $mode in
 table)
-    printf '# Measured numbers\n\nThis page is written by `make numbers` (bench/numbers.sh).\n\nThe table has the measured numbers that the README and the manuals show. In these texts, a mark with the name of the number stands\n'
-    printf "after the number. A time without a unit is a multiple of the time of one call of the C library's \`sin\`. The column \"from\" says\n"
-    printf 'from which document a value comes, and from which table or rows of this document.\n\n'
+    printf '# Measured numbers\n\nThis page is written by `make numbers` (bench/numbers.sh).\n\n'
+    printf 'The table has the measured numbers that the README and the manuals show. There, a mark with the name of the number follows each\n'
+    printf 'number. The column "from" says from which document a value was copied, and from which table, row and column. A name in quotation\n'
+    printf "marks after the document is the heading of a section. A ratio is a time divided by the time of one call of the C library's\n"
+    printf '`sin`, or by the time of another integrator, which is then named.\n\n'
     printf '| name | value | from |\n|---|---|---|\n'
     table
     ;;

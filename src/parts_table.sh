@@ -34,16 +34,18 @@ needs() { # needs CHAPTER : the chapters that it includes itself
 cat <<END
 # Parts
 
-This page is written by \`make parts-table\`.
+The command \`make parts-table\` writes this page.
 
-A chapter is a file of src/. Each chapter can be used alone: \`make part PARTS="mechanics/jumps"\` writes one header,
-\`build/parts/jumps.h\`, with the chapter and everything that it needs, and nothing else. If you name several chapters, they go into one header, which has
-the name of the first chapter: \`make part PARTS="mechanics/jumps oscillators/routes"\` writes \`build/parts/jumps.h\`.
+The source of the kit is divided into chapters. Each chapter is one file of src/, and can be used without the rest of the kit. For
+example, \`make part PARTS="mechanics/jumps"\` writes the header \`build/parts/jumps.h\`. This header has the chapter
+\`mechanics/jumps\` and the chapters that this one needs, and nothing else. If you name several chapters, one header has all of them,
+and its name is that of the first chapter: \`make part PARTS="mechanics/jumps oscillators/routes"\` writes \`build/parts/jumps.h\`, too.
 
-The column "lines" has the number of lines of this header, comments included. "Flash" is the size in bytes of all public
-functions of the chapter, with the code and the tables of constants that they use, for a Cortex-M4F, in float, compiled by gcc
--Os. A program that calls only some of the functions needs less flash. "Needs" lists the chapters that the chapter includes directly;
-chapters of the folder base/ are not listed.
+Each row of the table is for a header with one chapter. The column "lines" has the number of lines of this header, with its
+comments. The column "flash" has the size in bytes of all public functions of the chapter, with the code and the tables of
+constants that they use. These sizes are for float on a Cortex-M4F, compiled by gcc -Os. A program that calls only some of the
+functions needs less flash. The column "needs" lists the chapters that the chapter of the row includes directly. It leaves out the
+chapters of the folder base/.
 
 | chapter | what it is about | lines | flash | needs |
 |---|---|---|---|---|

@@ -29,23 +29,27 @@ write() {
     cat <<'END'
 # Hard cases
 
-Each case of this page is a point at which a formula of textbooks, or of the dissertation, goes wrong: the result of the formula
-has few correct digits or is no number. The page is written by `make hard-cases` from the output of tests/test_hard.c. The first
-column says what is computed and why the formula goes wrong. The true values are computed with arbitrary precision
-(tests/gen/hard_reference.py).
+A hard case is a set of arguments at which a usual formula goes wrong: the result of the formula has few correct digits or is no
+number. The formula is from textbooks, or from the dissertation that the kit follows ([glossary.md](glossary.md)). The command
+`make hard-cases` writes this page from the output of tests/test_hard.c. The first column of the tables says what is computed and
+why the formula goes wrong. The true values are computed with arbitrary precision (tests/gen/hard_reference.py).
 
-- The column "kernel" names a pair of functions in tests/hard/ that compute the case: one function calls the headers, and the
-  other uses the naive formula (the formula that goes wrong). The column "at" has the arguments of these functions; arguments that
-  are missing at the end are zero.
-- Numbers in the first column belong to the point in double. Letters in the first column are explained in the comment above the
-  headers' function that is tested. Numbers in brackets, such as (482), are equations of the dissertation.
-- The column "error" has the error of the headers' function, and the column "naive" the error of the naive formula in the same
-  precision. "No number" means that the naive formula gives infinity or NaN, or divides by zero. The unit of both errors is eps
-  (2.2e-16, in float 1.2e-7) times the true value, or times the scale of the problem, such as the largest value of an oscillation.
+- The column "kernel" names a pair of functions in tests/hard/. For example, C2 stands for `C2_ours`, which uses a function of the
+  headers, and `C2_naive`, which uses the naive formula (the formula that goes wrong). The column "at" has the arguments of both
+  functions. Arguments that are missing at the end are zero.
+- The numbers in the first column are those in double; in float the arguments may be others. Numbers in brackets, such as (482),
+  are equations of the dissertation. A difference "cancels" if nearly equal numbers are subtracted, so that their rounding errors
+  remain. The words "small", "next to" and "->" mean that an argument is close to a limit.
+- The column "error" has the error of the function of the headers, and the column "naive" has the error of the naive formula in
+  the same precision. "No number" means that the naive formula gives infinity or NaN, or divides by zero. The unit of both errors
+  is eps (2.2e-16, in float 1.2e-7) times the true value, or times a typical size, such as the largest value of an oscillation.
 - The column "bound" has the largest error that the test allows. The test also fails if the error of the naive formula is less
-  than four times the bound, because such a point is no hard case.
-- In a jump, a "part" leaves a body, and the "rest" is what remains of the body; "spin" is an angular velocity. "By rk4" means
-  integration with fixed steps of the classical Runge-Kutta method.
+  than four times the bound, because the arguments are then no hard case.
+- K, E, F and Pi are elliptic integrals, sn, cn and dn are elliptic functions of u with the parameter m, and k' is sqrt(1 - m).
+  The Ateb functions sa(s) and ca(s) take the place of sine and cosine if the force is proportional to abs(x)^alpha. The factor
+  `reactive` is 1 if the full reactive force acts. The comment above the tested function explains the other letters.
+- In a separation, a "part" leaves a body, and the "rest" is what remains of the body. "Spin" is an angular velocity, and omega_1
+  is the first component of the angular velocity. "By rk4" means integration with fixed steps of the classical Runge-Kutta method.
 END
     tables
 }

@@ -12,15 +12,16 @@
 static void print_head(void)
 {
     puts("# Validation by others' numbers\n\nThis page is written by `make validation` (tests/test_validation.c); "
-         "`make test` checks it row by row. Each table compares numbers that others have published with our numbers, "
-         "which varmass has computed. The difference is relative, |ours - published|/|published|. Each table has a "
-         "tolerance, which is the largest difference that is allowed. The tolerance is larger where the published "
-         "numbers have few digits or are not accurate. The reason for each tolerance stands behind it.\n\nFindings: no "
-         "published number contradicts the kit. Three sources are less exact than they look. The numbers that CVODE's "
-         "example of a rocket prints are wrong from the fourth, fifth or sixth digit on, because CVODE ran with a "
-         "large tolerance. The results of five programs that simulate a tumbling brick differ from each other by up to "
-         "2e-4. The angular velocities by the two most accurate programs agree with ours to 4e-11. The file of the "
-         "two-stage rocket contains a pitch moment whose cause we could not find.");
+         "`make test` checks each of its rows. Each table compares numbers that others have published with our "
+         "numbers, which varmass has computed. The difference is relative, |ours - published|/|published|. Each table "
+         "has a tolerance, which is the largest difference that is allowed. The tolerance is larger if the published "
+         "numbers have few digits or are not accurate. The text above each table gives the reason for its "
+         "tolerance.\n\nThe comparison shows that no published number contradicts the kit, but that three sources are "
+         "less exact than they look. First, an example of the integrator CVODE computes the flight of a rocket. The "
+         "numbers that it prints are wrong from the fourth, fifth or sixth digit on, because CVODE ran with a large "
+         "tolerance. Second, the results of five programs that simulate a tumbling brick differ from each other by up "
+         "to 2e-4. The angular velocities by the two most accurate of these programs agree with ours to 4e-11. Third, "
+         "the published file of a two-stage rocket contains a pitch moment whose cause we could not find.");
 }
 
 int main(int argc, char **argv)

@@ -27,7 +27,8 @@ static void validation_begin(const validation_group *group)
     validation_now = group;
     if (!validation_prints) return;
     printf("\n## %s\n\nSource: %s.\n\n%s\n\n", group->title, group->source, group->method);
-    printf("A relative difference of at most %.1g is allowed. %s\n\n", group->tolerance, group->reason);
+    printf("The relative difference between our numbers and the published numbers may be at most %.1g. The reason for "
+           "this tolerance is as follows. %s\n\n", group->tolerance, group->reason);
     printf("| what | published | ours | difference |\n|---|---|---|---|\n");
 }
 

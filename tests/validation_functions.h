@@ -33,12 +33,13 @@ static void validate_gsl_integrals(void)
     static const validation_group group = {
         "GSL's elliptic integrals",
         "GNU Scientific Library 2.8, specfunc/test_sf.c, test_ellint",
-        "GSL's parameter is the modulus k; ours is m = k^2. The characteristic n of Pi has the opposite sign in GSL. "
-        "In the row of jacobi_K_m1, k is 1 - 2^-30. For this k, GSL's own test allows an error of 1e-6 (single "
-        "precision), because GSL's function gets k and must compute 1 - k^2, in which digits cancel. Our function "
-        "jacobi_K_m1 gets the number 1 - k^2 itself, which has no rounding error here.",
-        "The errors of our incomplete integrals have a bound of 8 ulp. The rounding of k^2 and of the angle adds an "
-        "error of at most 4 eps.",
+        "GSL's functions have the modulus k as parameter; ours have m = k^2. The characteristic n of Pi has the "
+        "opposite sign in GSL. In the row of jacobi_K_m1, k is 1 - 2^-30. For this k, GSL's own test allows an error "
+        "of 1e-6, because GSL's function gets k and must compute 1 - k^2. In this difference most digits cancel. Our "
+        "function jacobi_K_m1 gets the number 1 - k^2 itself, which has no rounding error here.",
+        "The errors of our incomplete integrals are at most 8 ulp. (An ulp is the distance between neighbouring "
+        "floating-point numbers.) The rounding of k^2 and of the angle adds an error of at most 4 eps. (eps is "
+        "2.2e-16 in double.)",
         3e-15, 3e-6};
     validation_begin(&group);
     ROW("3.3566005233611923760", jacobi_K(0.99 * 0.99));
@@ -67,10 +68,10 @@ static void validate_gsl_functions(void)
     static const validation_group group = {
         "GSL's Jacobi functions and incomplete beta function",
         "GNU Scientific Library 2.8, specfunc/test_sf.c, test_jac, and specfunc/test_gamma.c",
-        "GSL's elljac has the parameter m, as our functions have. GSL's beta_inc(a, b, x) is our ateb_beta_inc(x, a, "
-        "b).",
-        "The errors of our Jacobi functions have a bound of 9 ulp. The rounding of m = 0.3, 0.6 and 0.999999 causes a "
-        "further error.",
+        "GSL's elljac has the parameter m, as our functions have. GSL's beta_inc(a, b, x) is the same function as our "
+        "ateb_beta_inc(x, a, b).",
+        "The errors of our Jacobi functions are at most 9 ulp. The numbers m = 0.3, 0.6 and 0.999999 are rounded, "
+        "which causes a further error.",
         3e-15, 6e-6};
     validation_begin(&group);
     ROW("0.4707504736556572833", jacobi_sn(0.5, 0.5));
@@ -93,10 +94,12 @@ static void validate_gsl_large_beta(void)
     static const validation_group group = {
         "GSL's incomplete beta function of large parameters",
         "GNU Scientific Library 2.8, specfunc/test_gamma.c",
-        "As in the previous table, GSL's beta_inc(a, b, x) is our ateb_beta_inc(x, a, b). Where the kit computes in "
-        "float, published numbers below 1e-37 are not compared.",
-        "The arguments x = 0.4 and 0.6 are rounded to double. The derivative of the logarithm of the result with "
-        "respect to x is up to some thousands. The rounding error of x is multiplied by this derivative.",
+        "As in the previous table, GSL's beta_inc(a, b, x) is our ateb_beta_inc(x, a, b). If the kit computes in "
+        "float, published numbers below 1e-37 are not compared, because they are too small for a float with all its "
+        "digits.",
+        "The arguments x = 0.4 and 0.6 are rounded to double. The rounding error of x changes the result; the "
+        "relative change is this error times the derivative of the logarithm of the result with respect to x. This "
+        "derivative is up to some thousands.",
         6e-13, 1e-6};
     validation_begin(&group);
     ROW("0.9999999999157549630", ateb_beta_inc(0.6, 500.0, 500.0));
@@ -118,10 +121,11 @@ static void validate_boost(void)
         "boostorg/math, commit 99733ebbd (2026), test/test_jacobi.hpp, test_ellint_3.hpp, ellint_*_data.ipp, ellint_rg.ipp, "
         "ibeta_small_data.ipp",
         "Boost's functions have the modulus k as parameter; ours have m = k^2. The arguments are binary fractions, "
-        "which are exact also in float. In the table, any_sn stands for the first result of jacobi_sncndn_any, for k "
-        "= 1.5.",
-        "Our bounds are 9 ulp for sn, cn and dn, 30 ulp for ateb_beta_inc, and at most 8 ulp for the other functions. "
-        "Near k = 1, the rounding of k^2 adds an error of some eps, because E and F depend on 1 - k^2.",
+        "which double and float contain exactly. In the table, any_sn stands for the first result of "
+        "jacobi_sncndn_any, for k = 1.5.",
+        "The bounds of our errors are 9 ulp for sn, cn and dn, 30 ulp for ateb_beta_inc, and at most 8 ulp for the "
+        "other functions. Near k = 1, the rounding of k^2 adds an error of some eps, because E and F depend on 1 - "
+        "k^2.",
         4e-15, 4e-6};
     validation_begin(&group);
     ROW("0.246781405136141600483623741101255", jacobi_sn(0.25, 0.5 * 0.5));
@@ -161,9 +165,9 @@ static void validate_carlson(void)
         "Carlson's symmetric integrals",
         "B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numerical Algorithms 10 (1995), "
         "section 3",
-        "The table has those integrals of the paper that have real arguments. For R_J with p < 0 the number in the "
-        "table is Cauchy's principal value.",
-        "The paper prints 14 digits.",
+        "The paper has integrals with real and with complex arguments; the table has those with real arguments. R_J "
+        "with p < 0 is an integral over a pole; the number in the table is its principal value.",
+        "The paper prints its numbers with 14 digits.",
         1e-13, 3e-6};
     validation_begin(&group);
     ROW("1.3110287771461", jacobi_RF(1, 2, 0));
@@ -188,16 +192,17 @@ static void validate_handbooks(void)
     static const validation_group group = {
         "Abramowitz and Stegun, K(m)",
         "Handbook of Mathematical Functions (1964), table 17.1",
-        "The table has the nine rows for m = 0.1 to 0.9.",
-        "The table has 15 decimals. Half a unit of the last decimal is 5e-16, and the rounding of m causes a further "
-        "error of this size.",
+        "The table below has the nine rows of the published table for m = 0.1 to 0.9.",
+        "The published table has 15 decimals. Half a unit of the last decimal is 5e-16, and the rounding of m causes "
+        "a further error of this size.",
         2e-15, 1e-6};
     static const validation_group short_rows = {
         "Abramowitz and Stegun, E(m); the DLMF, sn, cn and dn",
         "Handbook of Mathematical Functions, table 17.1; NIST Digital Library of Mathematical Functions (DLMF), "
         "22.20(ii)",
-        "E(m) is from the table; sn, cn and dn are from the DLMF's worked example with x = 0.8, k = 0.65.",
-        "The table has 9 decimals, and half a unit of the last one is 5e-10. The example has 10 decimals.",
+        "E(m) is from the Handbook's table; sn, cn and dn are from the DLMF's worked example with x = 0.8, k = 0.65.",
+        "The Handbook's table has 9 decimals, and half a unit of the last decimal is 5e-10. The DLMF's example has 10 "
+        "decimals.",
         5e-10, 1e-6};
     validation_begin(&group);
     ROW("1.612441348720219", jacobi_K(0.1));

@@ -128,10 +128,11 @@ avr_table() {
     sh tests/install.sh -w "for the flash of programs on an ATmega328P" "command -v avr-gcc" gcc-avr avr-libc binutils-avr ||
         return 1
     printf '\n## ATmega328P\n\n'
-    printf 'The table has the bytes of flash of a whole program in float. On the board, the program makes the plan of an oscillator that loses\n'
-    printf 'mass. Then it computes the motion at 16 times from the plan, and prints the results (tests/cross/tables.c). The ATmega328P has\n'
-    printf '32768 bytes of flash. If the plan is made on a PC, it is a constant, and the program does not contain the code that makes it. The\n'
-    printf 'columns are two lists of options of the compiler avr-gcc.\n'
+    printf 'The ATmega328P is a processor with 32768 bytes of flash. The table has the bytes of flash of a whole program in float. On the\n'
+    printf 'board, the program makes the plan of an oscillator that loses mass. From this plan it computes the motion at 16 times, and it\n'
+    printf 'prints the results (tests/cross/tables.c). If the plan is made on a PC, it is a constant, and the program needs less flash because\n'
+    printf 'it does not contain the code that makes the plan. The second and third column have the names of options of the compiler avr-gcc,\n'
+    printf 'with which the program was compiled.\n'
     printf '\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
     for order in 2 3 5; do
         printf '| %s | %s | %s |\n' $order "$(avr_flash $order)" "$(avr_flash $order -mcall-prologues -mrelax)"
@@ -141,13 +142,14 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-This page is written by `make firmware-table`, with the compiler gcc and its options -Os -fno-math-errno
--ffp-contract=off.
+This page says how much memory and how many instructions the functions of the kit need on microcontrollers. The command
+`make firmware-table` writes the page, with the compiler gcc and the options `-Os -fno-math-errno -ffp-contract=off`.
 
-Each cell of the tables for float and double has three numbers: flash, stack and instructions of a call. *Flash* is the number of
-bytes by which a program grows when it contains the call, with all tables and functions that the call needs. *Stack* is the number
-of bytes that the call needs on the stack. *Instructions* is the number of machine instructions that the processor executes in the
-call. For stack and instructions, the tables have the largest numbers that were measured in many calls on emulated boards.
+Each cell of the tables for float and double has three numbers, which describe a call of one function: flash, stack and
+instructions. *Flash* (the memory of the program) is the number of bytes by which a program grows when the call is added to it,
+with all functions and tables of constants that the call needs. *Stack* is the number of bytes that the call needs on the stack.
+*Instructions* is the number of machine instructions that the processor executes in the call. Stack and instructions were measured
+in many calls on emulated boards, and the tables have the largest numbers.
 
 | target | processor |
 |---|---|
@@ -157,26 +159,27 @@ call. For stack and instructions, the tables have the largest numbers that were 
 | RV32IMAC | RISC-V without floating-point unit |
 | RV32IMAFDC | RISC-V with float and double in hardware |
 
-Each function is called with 300 random arguments (`vm_osc_closed_init` with 10) and with some difficult arguments: the ends of
-the intervals of allowed arguments, u = 1e9 (in float 1e4), and m next to 1. The script examples/firmware/table.sh lists the
-difficult arguments. The random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments of
-the functions explain these letters. Random bodies have three different moments of inertia, and any attitude and motion. A call
+Each function was called with 300 random sets of arguments (`vm_osc_closed_init` with 10) and with some difficult arguments: the
+ends of the intervals of allowed arguments, u = 1e9 (in float 1e4), and m next to 1. The script examples/firmware/table.sh lists
+the difficult arguments. The random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments
+of the functions explain these letters. Random bodies have three different moments of inertia, and any attitude and motion. A call
 with other arguments may need a larger stack or more instructions than the tables say.
 
-A plan stores numbers that are computed once and then used in many calls. In the rows of `jacobi_plan_sncndn` and `ateb_plan_saca`
-the flash includes the code that makes the plan. A program whose plan is a constant in flash does not need this code. The other
-functions are:
+A plan is a struct of numbers that are computed once and then used in many calls. In the rows of `jacobi_plan_sncndn` and
+`ateb_plan_saca` the flash includes the code that makes the plan. A program whose plan is a constant in flash does not need this
+code. The rows of the other functions that use a plan, a body or a scene have the following calls:
 
-- `vm_osc_closed_at`: the motion of an oscillator whose mass grows (alpha = 1.7), by the law (approximate formula) of order
-  two, three or five, from a plan that is a constant in flash; the flash in the table includes this plan;
-- `vm_osc_closed_init`: the computation of this plan on the board; the mass is a linear function of time;
-- `vm_osc_exact`: the motion of an oscillator with constant mass;
-- `vm_torque_free_attitude`: the rotation of a free body at times from -1000 s to 1000 s; the function `vm_torque_free_init`,
-  which prepares this computation, has its own row;
-- `vm_scene_rhs` and `rk4_step of the scene`: the scene is a tray on a spring with any exponent and a damper; the tray loses its
-  load. `vm_scene_rhs` evaluates the scene once, and a step of `rk4` evaluates it four times. [scene-sizes.md](scene-sizes.md)
-  has the flash of whole scenes;
-- `rk4_step` and `rk45_step`: steps of a cubic oscillator; the step of `rk45` is the first step of a run.
+- `vm_osc_closed_at` computes the motion of an oscillator whose mass grows, with the exponent alpha = 1.7 of the spring force. It
+  uses an approximate formula (law) of order two, three or five. The plan is a constant in flash, and the flash in the table
+  includes the plan.
+- `vm_osc_closed_init` computes such a plan on the board. The mass is a linear function of time.
+- `vm_osc_exact` computes the motion of an oscillator with constant mass.
+- `vm_torque_free_attitude` computes the rotation of a body without torque at times from -1000 s to 1000 s. The function
+  `vm_torque_free_init`, which prepares this computation once, has its own row.
+- `vm_scene_rhs` and `rk4_step of the scene`: a scene is a list of bodies, forces and events. This scene is a tray that loses its
+  load, with a damper and a spring whose force is any power of its extension. A call of `vm_scene_rhs` computes the accelerations
+  in the scene once, and a step of `rk4` computes them four times. [scene-sizes.md](scene-sizes.md) has the flash of whole scenes.
+- `rk4_step` and `rk45_step` compute one step of the motion of a cubic oscillator. The step of `rk45` is the first step of a run.
 
 ![instructions of a call](figures/firmware.svg)
 END

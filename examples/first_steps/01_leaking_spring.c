@@ -1,10 +1,12 @@
-/* A spring with a leaking mass. A bucket of sand hangs on a spring. If x is measured from the position of rest, which
-   rises while sand leaks out, the motion is m x'' + k x = 0. The sand keeps the bucket's velocity as it leaks out, so
-   that no reactive force acts. The vibration becomes faster and narrower: its amplitude is A = A0 (m/m0)^(1/4), where
-   A0 and m0 are amplitude and mass at the start. If the sand were brought to rest before it leaves, the reactive force
-   would make the vibration wider: A = A0 (m0/m)^(1/4), which is equation (325) for a linear spring (alpha = 1). The
-   function vm_osc_amplitude_law computes the amplitude in both cases. The third argument of this function is 0 without
-   the reactive force and 1 with it.
+/* A spring with a leaking mass. A bucket of sand hangs on a spring, and the sand leaks out. The equation of motion is m
+   x'' + k x = 0, with the mass m and the stiffness k. The coordinate x is measured from the position of rest, which
+   rises while sand leaks out. The sand leaves with the velocity of the bucket, so that its loss causes no force. As the
+   mass falls, the vibration becomes faster and narrower: its amplitude is A = A0 (m/m0)^(1/4), where A0 and m0 are
+   amplitude and mass at the start. If the sand were brought to rest before it leaves, its loss would cause a force on
+   the bucket, the reactive force. This force would make the vibration wider: A = A0 (m0/m)^(1/4), which is (325) for a
+   linear spring (alpha = 1). The function vm_osc_amplitude_law computes A/A0 in both cases. Its third argument is 0
+   without the reactive force and 1 with it. In the output, "its law" is this A, and the "route" is the method that
+   computed the motion.
 
    cc -O2 01_leaking_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

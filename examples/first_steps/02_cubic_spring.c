@@ -1,8 +1,9 @@
-/* A spring that stiffens. The oscillator x'' + x^3 = 0 vibrates faster when its amplitude is larger, (262). The exact
-   motion is not a cosine but the Ateb cosine ca(3, 1, s), (282), where s is proportional to the time. For a force
-   x |x|^(alpha-1) the motion is ca(alpha, 1, s). The program compares two other formulas with ca. The first, a cosine
-   with the exact period, (291), has errors of up to 7 % of the amplitude. The second, Jacobi's function cn, (297), is
-   exact for alpha = 3.
+/* A spring that stiffens. A mass on a cubic spring moves by x'' + x^3 = 0. The mass vibrates faster if its amplitude is
+   larger, (262). The exact motion is not a cosine but a similar function, the Ateb cosine ca(3, 1, s), (282). The
+   argument s is proportional to the time. If the force is x |x|^(alpha-1) instead, the motion is ca(alpha, 1, s). The
+   program compares two other formulas for the motion with ca. The first formula is a cosine with the exact period,
+   (291); its error is up to 7 % of the amplitude. The second formula is Jacobi's function cn, (297), which is exact for
+   alpha = 3.
 
    cc -O2 02_cubic_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

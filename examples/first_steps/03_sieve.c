@@ -1,7 +1,7 @@
-/* A vibrating sieve that is being loaded. The program is a scene: it simulates only a list of bodies, a list of effects
-   that act on them, and a list of events that change the scene. A sieve of 20 kg on a spring and a damper is shaken by
-   a force of 60 N. From t = 4 s on, gravel falls into the sieve at 2 kg/s without sideways velocity, (175), until
-   20 kg of gravel are in it. As the mass grows, the sieve passes through its resonance.
+/* A vibrating sieve that is being loaded. The program defines a scene: a list of bodies, a list of effects that act on them (such
+   as a spring), and a list of events that change the scene. A motor shakes a sieve of 20 kg on a spring and a damper, with a
+   force of up to 60 N. From t = 4 s on, gravel falls straight down into the sieve at 2 kg/s, (175), until 20 kg of gravel are in
+   the sieve. As the mass grows, the natural frequency sqrt(k/m) falls, and passes the frequency of the motor. This is resonance.
 
    cc -O2 03_sieve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,6 +1,6 @@
-/* A rocket rises. The rocket moves by M x'' = -M g + M' (u - v), (175), (176). M is its mass, v = x' its velocity, and
-   M' = -5 kg/s. The gas leaves with u - v = -2000 m/s relative to the rocket, so that the thrust is upward. The program
-   compares an integrator, which finds the end of burning as an event, with Tsiolkovsky's formula minus g t.
+/* A rocket rises. A rocket of mass M and velocity v = x' loses gas at the rate M' = -5 kg/s: M x'' = -M g + M' (u - v), (175),
+   (176). The gas has the velocity u - v = -2000 m/s relative to the rocket, so that the thrust M' (u - v) is upward. The
+   integrator also finds the time at which the fuel ends. The program compares v at 60 s with Tsiolkovsky's formula minus g t.
 
    cc -O2 04_rocket.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,8 +1,10 @@
-/* A band winds up on a drum. The band of Fig. 20 comes with a constant velocity v, and the drum's moment of inertia
-   grows with the angle phi through which the drum has turned. There are closed forms for the angular velocity Omega,
-   (196), for the time, (197), and for the angle phi(t). D is the damping of the drum, R its radius, mu the mass of the
-   band per radian. With D = 0 the band drives the drum, whose angular velocity tends to v/R = 12 rad/s. With
-   D = mu R (v - R Omega) the drum keeps Omega = 10 rad/s. With a large D the drum never turns beyond a certain angle.
+/* A band winds up on a drum. A band arrives at a drum with the constant velocity v and winds up (Fig. 20 of the
+   dissertation). The moment of inertia of the drum grows with the angle phi through which the drum has turned. There
+   are closed formulas for the angular velocity Omega, (196), for the time, (197), and for the angle phi(t). The program
+   tries three values of D, the damping of the drum. R is the radius of the drum, and mu is the mass of the band per
+   radian. With D = 0 the band drives the drum, whose angular velocity tends to v/R = 12 rad/s. With D = mu R (v - R
+   Omega) the drum keeps the angular velocity Omega = 10 rad/s. With the largest D the drum never turns beyond a certain
+   angle.
 
    cc -O2 06_winding_drum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

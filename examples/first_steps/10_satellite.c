@@ -1,7 +1,7 @@
-/* A satellite throws off a panel. The satellite turns about the axis of its middle moment of inertia. This rotation is
-   not stable, so that the satellite tumbles again and again. At t = 250 s it throws off a panel, (15), (24), (34). Now
-   the same axis has the largest moment of inertia, and the satellite only wobbles. Before and after the jump it turns
-   freely, and vm_torque_free_attitude gives attitude and angular velocity at any time without integration.
+/* A satellite throws off a panel. The satellite turns about the axis of the middle one of its three moments of inertia. This
+   rotation is unstable: the satellite tumbles again and again. At t = 250 s it throws off a panel; (15), (24), (34) give the new
+   motion. Now this axis has the largest moment of inertia, and the satellite only wobbles. Before and after this the satellite
+   turns freely. Therefore vm_torque_free_attitude gives attitude and angular velocity at any time without integration.
 
    cc -O2 10_satellite.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

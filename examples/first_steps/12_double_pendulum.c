@@ -1,7 +1,8 @@
-/* A double pendulum on a damped spring. Two bars hang on pins, and a damped spring connects the end of the lower bar
-   with the ground. The kit computes the forces of all pins together, by Lagrange's multipliers. The energy of the bars
-   changes only by the work of weight and spring. The budget of the scene, which is a balance of energy, adds up this
-   work. The difference between this work and the change of energy is the error of the run.
+/* A double pendulum on a damped spring. Two bars hang on pins, one below the other, and a damped spring connects the
+   end of the lower bar with the ground. The kit computes the forces in both pins together, by Lagrange's multipliers.
+   The kinetic energy of the bars changes only by the work of weight and spring. The program lets the kit keep a balance
+   of energy, called the budget, which adds up this work. The difference between this work and the change of the energy
+   shows how accurate the run is.
 
    cc -O2 12_double_pendulum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

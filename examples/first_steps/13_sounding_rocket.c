@@ -1,5 +1,5 @@
-/* A sounding rocket in two stages. The rocket flies straight up with two motors, and opens a parachute at the top. The
-   program itself defines the effects for parachute and drag. The air's density falls to 37 % every 8 km.
+/* A sounding rocket in two stages. Two motors drive the rocket straight up, one after the other. At the top it opens a
+   parachute. The function drag computes the force of the air; the air's density falls to 37 % every 8 km.
 
    cc -O2 13_sounding_rocket.c -lm && ./a.out [file.csv] */
 #include <math.h>

@@ -1,9 +1,10 @@
-/* The motion of a Van der Pol oscillator long after its start. The equation of motion is m x'' + k x =
-   (feed - c x^2) x' - m' x', (404). Averaging gives only the amplitude, but x(t) also depends on the phase. The
-   function vm_vdp_plan_within uses a law of order three, which is an approximate formula for x(t). If the estimated
-   error of the law is too large, the function integrates. With constant mass and a linear spring this law is a closed
-   form, and its computing time does not depend on t. In the second motion mass joins and the spring softens: the fields
-   mass and stiffness of a vm_vdp are laws of time.
+/* The motion of a Van der Pol oscillator long after its start. The equation of motion is m x'' + k x = (feed - c x^2)
+   x' - m' x', (404), with the constants feed and c. Averaging of this equation gives only the amplitude, but x(t) also
+   depends on the phase. Therefore the function vm_vdp_plan_within uses an approximate formula for x(t), called a law of
+   order three. If the estimated error of the law is too large, the function integrates the equation of motion. The
+   program computes two motions. In the first motion the mass is constant and the spring is linear; then the computing
+   time does not depend on t. In the second motion mass joins and the spring becomes softer. Therefore the fields mass
+   and stiffness of the struct vm_vdp are functions of time. The limit cycle in the output is the steady vibration.
 
    cc -O2 14_van_der_pol_motion.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

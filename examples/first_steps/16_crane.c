@@ -1,9 +1,9 @@
-/* A crane draws in its load. Until t = 0 the crane moves at 0.05 m/s; then it stops. Its load, 200 kg on a rope of
-   length L = 20 m, swings by the angle phi while the rope becomes shorter by 0.25 m/s. The load is a body that turns
-   about the crane. Its moment of inertia m L(t)^2 changes, and its equation of motion is
-   (m L^2 phi')' = -m g L sin phi. This is equation (170), with the moment of inertia in place of the mass. As long as
-   the rope shortens slowly, the swings grow as L^(-3/4). For small angles the exact motion is a formula with Bessel
-   functions (Lorentz's pendulum).
+/* A crane draws in its load. Until t = 0 the crane travels at 0.05 m/s; then it stops. From then on its load, 200 kg on
+   a rope of length L = 20 m, swings by the angle phi, while the crane shortens the rope by 0.25 m/s. The program treats
+   the load as a body that turns about the crane. The moment of inertia m L(t)^2 of the load changes. The equation of
+   motion is (m L^2 phi')' = -m g L sin phi; this is (170) with the moment of inertia in place of the mass. As long as
+   the rope shortens slowly, the angle of the swings grows as L^(-3/4). For small angles a formula with Bessel functions
+   gives the exact motion (Lorentz's pendulum).
 
    cc -O2 16_crane.c -lm && ./a.out [file.csv] */
 #include <math.h>

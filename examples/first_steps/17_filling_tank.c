@@ -1,6 +1,6 @@
-/* A satellite whose tank is filled in orbit. The satellite turns about the axis of the tank, with a little wobble,
-   while 300 kg of liquid flow in from rest along this axis. The function vm_supply_at computes level, mass centre and
-   inertia of the liquid. The liquid brings no angular momentum, so that the satellite turns more slowly in the end.
+/* A satellite whose tank is filled in orbit. The satellite turns about the axis of its tank with a little wobble, while 300
+   kg of liquid flow into the tank along this axis. The function vm_supply_at computes level, mass centre and inertia of the
+   liquid. The liquid was at rest and brings no angular momentum. Therefore the satellite turns more slowly in the end.
 
    cc -O2 17_filling_tank.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,10 +1,12 @@
-/* A motion as plain data. A bucket of sand rolls on a level floor, held by a cubic spring, and leaks. The equation of
-   motion m x'' + k x^3 = 0 has no exact solution x(t). A vm_osc_closed stores a law (an approximate formula for x) of
-   order 2, 3, 4 or 5 as plain numbers. The function vm_osc_closed_init computes these numbers once, on a PC or on a
-   microcontroller. Then vm_osc_closed_at gives x and v at any time, without integration, and takes the same time for
-   each call. The field `error` estimates the error for all times up to the last argument of vm_osc_closed_init. A
-   controller may store the law as a constant in flash; examples/print_plan.c prints this constant. docs/firmware.md
-   lists flash, stack and number of instructions of a call for each order.
+/* A motion as plain data. A bucket of sand rolls on a level floor. A cubic spring holds the bucket, and the sand leaks
+   out. The equation of motion m x'' + k x^3 = 0 has no exact solution x(t), because m changes. Therefore the program
+   uses a law, which is an approximate formula for x. A struct of the type vm_osc_closed stores a law of order 2, 3, 4
+   or 5 as plain numbers; a higher order is more accurate. The function vm_osc_closed_init computes these numbers once,
+   on a PC or on a microcontroller. Then vm_osc_closed_at computes x and the velocity v at any time, and takes the same
+   time for each call. The field `error` of the struct estimates the error of x for all times from 0 to the last
+   argument of vm_osc_closed_init. A microcontroller may store the law as a constant in flash; examples/print_plan.c
+   prints such constants. For each order, docs/firmware.md lists the flash, the stack and the number of instructions of
+   a call.
 
    cc -O2 18_law_as_data.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

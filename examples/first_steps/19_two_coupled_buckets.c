@@ -1,10 +1,10 @@
-/* Two coupled buckets. Two equal buckets of sand roll on a level floor. Each is held by a spring of its own, and a weak
-   spring of 0.01 N/m joins them. Both lose sand at the same rate. They start in phase, the first with an
-   amplitude of 1 m and the second with 0.5 m. With linear springs the buckets exchange their amplitudes, and later
-   exchange them again. With springs of the force x^3 the buckets do not exchange them: the bucket with the larger
-   amplitude vibrates faster, so that the buckets soon vibrate out of phase. The averaged equations give the amplitudes
-   and the phases; for comparison the equation of motion is integrated, too. The field `vibrations` gives the ratio of
-   the frequencies, here 1 to 1; another ratio, such as 1 to 3, is possible, too.
+/* Two coupled buckets. Two equal buckets of sand roll on a level floor. Each bucket is held by a spring of its own, and
+   a weak spring of 0.01 N/m joins the buckets. Both lose sand at the same rate. The buckets start in phase, with the
+   amplitudes 1 m and 0.5 m. If the springs are linear, the buckets exchange their amplitudes, and later exchange them
+   again. If the force of each spring is x^3, the buckets do not exchange them: the bucket with the larger amplitude
+   vibrates faster, so that the buckets soon vibrate out of phase. Averaged equations give the amplitudes and the
+   phases. For comparison the program also integrates the equation of motion. The field `vibrations` gives the ratio of
+   the two frequencies, here 1 to 1; another ratio, such as 1 to 3, is possible, too.
 
    cc -O2 19_two_coupled_buckets.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

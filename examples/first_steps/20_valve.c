@@ -1,8 +1,8 @@
-/* A force that is not harmonic. A valve pushes and pulls a piston of 1 kg with a force of up to 0.01 N. Its frequency
-   is nu, and 16 samples give its shape. A spring with the force x^3 holds the piston. If the piston vibrates once in a
-   period of the valve, the first harmonic of the force drives it; if it vibrates three times, the third harmonic drives
-   it. The program prints the mean amplitude of the steady vibration, which is computed without integration, and the
-   amplitude after 100 periods of an integration. The figure shows the last vibration for two more periods.
+/* A force that is not harmonic. A valve pushes and pulls a piston of 1 kg with a periodic force of up to 0.01 N. The frequency of
+   this force is nu, and 16 samples give its shape. A spring with the force x^3 holds the piston. If the piston vibrates once in a
+   period of the valve, the first harmonic of the valve's force drives it; if it vibrates three times, the third harmonic drives
+   it. The program computes the mean amplitude A of the steady vibration, without integration. For comparison it also integrates
+   over 100 periods, and then prints the amplitude. The figure shows two more periods of the last vibration in the output.
 
    cc -O2 20_valve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -7,11 +7,13 @@ mkdir -p "$build" || exit 1
 {
     echo '# First steps'
     echo
-    echo 'This page is written by `make first-steps`, which builds and runs the programs and draws their figures.'
+    echo 'The command `make first-steps` writes this page: it builds and runs the programs, and draws their figures.'
     echo
-    echo "These are $(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines each, from a spring with a leaking mass to a satellite whose tank is filled."
-    echo "The first comment of each program has a command that builds it. A number in round brackets, such as (325), is an equation of L."
-    echo "Cveticanin's dissertation *Dynamics of Mass Variable System*."
+    echo "Each section shows one of $(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines: what it is about, what it prints, and its figure. The comment"
+    echo "at the top of a program has the command that builds it. A number in round brackets, such as (325), is the number of an equation"
+    echo "in L. Cveticanin's dissertation *Dynamics of Mass Variable System*. Names that begin with vm_ are functions and structs of"
+    echo "varmass.h. In formulas a prime means d/dt. In the output, an evaluation is one call of the function that computes the"
+    echo "derivatives."
 } >"$doc"
 for source in examples/first_steps/*.c; do
     name=$(basename "$source" .c)

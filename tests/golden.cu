@@ -1,0 +1,31 @@
+/* The golden program on a graphics processor: one thread calls every public function of the four headers, and prints the lines
+   of tests/golden.c. `make test-gpu` compares them with tests/data/golden.txt. The compilation takes about ten minutes. */
+#define VM_API static __noinline__ __host__ __device__
+#include "../varmass.h"
+#include <cstdio>
+
+/* The program itself runs on the device: its functions and its variables belong there, and main() is called by a kernel. */
+#define puts(line) printf("%s\n", line)
+#define static __device__ static
+#define main __device__ golden_main
+#include "golden.c"
+#undef static
+#undef main
+
+__global__ void run(int *status) { *status = golden_main(); }
+
+int main()
+{
+    const size_t stack = 1 << 17; /* bytes */
+    int *status, result = 1;
+    if (cudaMalloc(&status, sizeof *status) || cudaDeviceSetLimit(cudaLimitStackSize, stack)) {
+        std::fputs("no GPU\n", stderr);
+        return 1;
+    }
+    run<<<1, 1>>>(status);
+    if (cudaMemcpy(&result, status, sizeof result, cudaMemcpyDeviceToHost)) {
+        std::fprintf(stderr, "%s\n", cudaGetErrorString(cudaGetLastError()));
+        return 1;
+    }
+    return result;
+}
