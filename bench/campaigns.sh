@@ -66,11 +66,11 @@ done 3<$folder/parts
 This page is written by `make campaigns` (bench/campaigns.sh).
 
 A campaign is a check that takes too long for `make test-all`. For each campaign, the table says what the campaign shows,
-with which headers it ran, and what it printed at its end. The column "headers" has the stamps of the headers. A stamp is
-a hash, a number that bench/stamp.sh computes from the code of a header and that changes if the code changes. If the
-stamps of a row are not those of today's headers, the campaign ran with earlier headers. The command `make campaigns` runs
-all campaigns. The command `make campaigns CAMPAIGNS="scan proof"` runs only the campaigns scan and proof.
-[reliability.md](reliability.md) says which errors the campaigns found.
+with which version of the kit's headers it ran, and what it printed at its end. The column "headers" names these headers,
+each with its stamp. A stamp is a hash, a number that bench/stamp.sh computes from the code of a header and that changes
+if the code changes. If the stamps of a row are not those of today's headers, the campaign ran with earlier headers. The
+command `make campaigns` runs all campaigns. The command `make campaigns CAMPAIGNS="scan proof"` runs only the two
+campaigns "scan" and "proof". [reliability.md](reliability.md) says which errors the campaigns found.
 
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|

@@ -72,12 +72,13 @@ compiler=$($CC --version) || fail "the compiler $CC does not say its version"
 {
     echo '# Instructions of a call'
     echo
-    echo "The command \`make counts\` writes this page. The machine was an $(uname -m), and the compiler was $(echo "$compiler" | head -n 1)"
+    echo "The command \`make counts\` writes this page. The processor was an $(uname -m), and the compiler was $(echo "$compiler" | head -n 1)"
     echo "with $FLAGS."
-    echo 'The table says how many machine instructions a call executes. The program callgrind counted them. Each count is the mean of 200'
-    echo 'calls, and it is the same in every run. Some names end with an addition that says how the function was called, such as _4_3 for'
-    echo 'alpha = 4/3 or _to_1e_3 for a tolerance of 1e-3; bench/count.c has all calls and their arguments. In the rows of the integrators'
-    echo "(rk4, rk45, rk87), a call is one step of a motion with the equation x'' = -x^3."
+    echo "The table says for each function how many machine instructions a call executes. The instructions were counted by callgrind, a tool"
+    echo "of the program valgrind. Each number is the mean of 200 calls; it is the same in every run, because all runs use the same"
+    echo "arguments. In some rows the name of the function has an addition that says how it was called: for example, _4_3 stands for alpha ="
+    echo "4/3, and _to_1e_3 for a tolerance of 1e-3. The file bench/count.c has all calls and their arguments. In the rows of the"
+    echo "integrators (rk4, rk45, rk87), a call computes one step of the solution of x'' = -x^3."
     echo
     echo '| function | double | float |'
     echo '|---|---|---|'

@@ -56,4 +56,4 @@ done | awk -F, -v rows="$rows" -v counts="$counts" '
         }
     }'
 echo
-echo "The times were measured on: $(sed -n 's/^processor *//p' "$folder/machine")."
+echo "The times in this table were measured on one machine ($(sed -n 's/^processor *//p' "$folder/machine"))."

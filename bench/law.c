@@ -300,9 +300,9 @@ static void print_reports(int n)
     int i;
     for (i = 0; i < n; i++)
         if (random_error[ORDERS - 1][i] > bound) add_report(&problems[i], length / rate, bound, &r);
-    printf("\nIn %d problems the error of order 5 is above 1e-9. In %d of these problems the estimate is much too small, that is\n"
-           "below 1e-9/3 at a time when the error is above 1e-9. If the tolerance is 1e-9, `vm_osc_plan_within` integrates these\n"
-           "problems by collocation instead, and the largest error of its results is then %.1e.\n",
+    printf("\nIn %d of the random problems the error of the law of order 5 is above 1e-9. In %d of these problems the\n"
+           "estimate of the error is much too small: below 1e-9/3 at a time when the true error is above 1e-9. If the tolerance is\n"
+           "1e-9, `vm_osc_plan_within` integrates these problems by collocation, and the largest error of its results is %.1e.\n",
            r.above, r.silent, r.within);
 }
 

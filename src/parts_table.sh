@@ -36,16 +36,19 @@ cat <<END
 
 The command \`make parts-table\` writes this page.
 
-The source of the kit is divided into chapters. Each chapter is one file of src/, and can be used without the rest of the kit. For
-example, \`make part PARTS="mechanics/jumps"\` writes the header \`build/parts/jumps.h\`. This header has the chapter
-\`mechanics/jumps\` and the chapters that this one needs, and nothing else. If you name several chapters, one header has all of them,
-and its name is that of the first chapter: \`make part PARTS="mechanics/jumps oscillators/routes"\` writes \`build/parts/jumps.h\`, too.
+The source of the kit is divided into chapters. Each chapter is one header file in a folder of src/. A program can use a chapter,
+with the chapters that it needs, without the rest of the kit. For example, \`make part PARTS="mechanics/jumps"\` writes the header
+\`build/parts/jumps.h\`. This header contains the chapter \`mechanics/jumps\` and the chapters that \`mechanics/jumps\` needs, and
+nothing else. If you name several chapters in \`PARTS\`, the command writes one header that contains all of them, and the header has
+the name of the first chapter. For example, \`make part PARTS="mechanics/jumps oscillators/routes"\` also writes the header
+\`build/parts/jumps.h\`.
 
-Each row of the table is for a header with one chapter. The column "lines" has the number of lines of this header, with its
-comments. The column "flash" has the size in bytes of all public functions of the chapter, with the code and the tables of
-constants that they use. These sizes are for float on a Cortex-M4F, compiled by gcc -Os. A program that calls only some of the
-functions needs less flash. The column "needs" lists the chapters that the chapter of the row includes directly. It leaves out the
-chapters of the folder base/.
+Each row of the table is for one chapter, and for the header that \`make part\` writes if you name only this chapter. The column
+"lines" has the number of lines of this header, with its comments. The column "flash" has the size in bytes of all public
+functions of the chapter, with the code and the tables of constants that they use. The sizes are for programs in float on the
+processor Cortex-M4F, compiled by gcc -Os. A program that calls only some functions of the chapter needs less flash than this
+column says. The column "needs" lists the chapters that the chapter of the row includes directly. The chapters of the folder base/
+are not listed in this column.
 
 | chapter | what it is about | lines | flash | needs |
 |---|---|---|---|---|

@@ -209,7 +209,9 @@ static void table2(void)
     const double vr[2] = {p.v[0] - s.v[0], p.v[1] - s.v[1]};
     const motion r = rest_of(&s, &p, 0);
     const double slip[2] = {r.v[0] - p.v[0], r.v[1] - p.v[1]};
-    print_table_head("Table 2: the whole is in translation", "The plate has **v**_S = (3, 1) m/s and Ω = 0.");
+    print_table_head("Table 2: the whole is in translation",
+                     "Before the separation, the plate has the velocity **v**_S = (3, 1) m/s and the angular velocity "
+                     "Ω = 0.");
     give_row(&s, "T2.1", "**v**_S2, Ω_2",
              "**v**_r1 = -m/(M-m) **v**_r; I_S1 Ω_1 = m **SS**_2×(**v**_S1-**v**_S2) - I_S2 Ω_2", p,
              (s.m * cross(s.d, slip) - s.I2 * p.O) / s.I1, NULL, true_spin(&s, &p));
@@ -274,7 +276,8 @@ static void table3(void)
     const sample s = make_sample(0, 0, 2);
     const double vr[2] = {1, -2}, along[2] = {s.d1[0] * 8, s.d1[1] * 8};
     motion p = relative(&s, vr[0], vr[1], 3);
-    print_table_head("Table 3: the whole rotates about its mass centre", "The plate has **v**_S = 0 and Ω = 2 rad/s.");
+    print_table_head("Table 3: the whole rotates about its mass centre",
+                     "Before the separation, the plate has the velocity **v**_S = 0 and the angular velocity Ω = 2 rad/s.");
     give_row(&s, "T3.1", "**v**_r, Ω_r",
              "**v**_S1 = **Ω**×**SS**_1 - m/(M-m) **v**_r; Ω_r1 = M/I_S1 (**SS**_1×**v**_r) - I_S2/I_S1 Ω_r", p,
              s.O + s.M / s.I1 * cross(s.d1, vr) - s.I2 / s.I1 * 3, NULL, true_spin(&s, &p));
@@ -300,7 +303,9 @@ static void table4(void)
 {
     const sample s = make_sample(3, 1, 2);
     motion p = absolute(3, 1, 5);
-    print_table_head("Table 4: plane motion of the whole", "The plate has **v**_S = (3, 1) m/s and Ω = 2 rad/s.");
+    print_table_head("Table 4: plane motion of the whole",
+                     "Before the separation, the plate has the velocity **v**_S = (3, 1) m/s and the angular velocity "
+                     "Ω = 2 rad/s.");
     give_row(&s, "T4.1", "**v**_r = **SS**_2×**Ω** (**v**_S2 = **v**_S), Ω_2",
              "**v**_S1 = **v**_S; Ω_1 = (I_S Ω - I_S2 Ω_2)/I_S1", p, (s.I * s.O - s.I2 * p.O) / s.I1, NULL,
              true_spin(&s, &p));
@@ -351,11 +356,12 @@ static void table1(void)
              (double)vm_angular_momentum(&rest, origin).z, (double)vm_angular_momentum(&part, origin).z);
     CHECK(vm_momentum(&whole).x == vm_momentum(&rest).x + vm_momentum(&part).x);
     if (prints)
-        puts("\n## Table 1: nomenclature\n\nIn the dissertation the labels of the second row and of all later rows "
-             "are printed one row too high. The table below shows each printed label, the entries beside it, and the "
-             "label that these entries should have. The values in the last column are those of row 1 of Table 4 "
-             "(T4.1), in this order: the body before the separation, the body after it, the part.\n\n| the printed "
-             "label | entries in its row | their true label | here | values |\n|---|---|---|---|---|");
+        puts("\n## Table 1: nomenclature\n\nIn each row, Table 1 of the dissertation has a label, which says what the "
+             "letters of the row mean. But the labels of the second row and of all later rows are printed one row too "
+             "high. The table below shows each printed label, the entries beside it, and the label that these entries "
+             "should have. The last column has the values for row T4.1 (row 1 of Table 4), in this order: the whole "
+             "plate, the rest, the part.\n\n| the printed label | entries in its row | their true label | here | "
+             "values |\n|---|---|---|---|---|");
     name_row("Mass center", "-, 1, 2", "body (index)", "vm_body whole, rest, part", "");
     name_row("Position of mass center", "S, S_1, S_2", "mass center", "r", "(0, 0) is S");
     name_row("Position vector of mass center", "**SS**_1, **SS**_2", "position of mass center",
@@ -382,25 +388,28 @@ static void table1(void)
 static void print_head(void)
 {
     puts("# Tables 1 to 4 of the dissertation\n\nThis page is written by `make tables` (tests/test_tables.c). `make "
-         "test` checks each of its rows. The dissertation is L. Cveticanin, *Dynamics of Mass Variable System*. This "
-         "page has every row of its Tables 1 to 4, with an example in numbers. Table 5 is printed by the program "
-         "build/examples/table5. [errata.md](errata.md) lists the errors of the dissertation.\n\nIn the example a "
-         "part separates from a plate. The plate before the separation is called the whole, and what remains of the "
-         "plate is called the rest. The whole has the mass M = 5 kg, the moment of inertia I_S = 2 kg m² and its mass "
-         "centre S at the origin. The part has m = 1 kg and I_S2 = 0.125 kg m², and **SS**_2 = (0.5, 0.25) m is the "
-         "vector from S to the mass centre of the part. So the vector from S to the mass centre of the rest is "
-         "**SS**_1 = (-0.125, -0.0625) m, and the rest has I_S1 = 1.484375 kg m². **v** is a velocity and Ω an "
-         "angular velocity. The index of a letter names the body: S, or no index, stands for the whole, S1 or 1 for "
-         "the rest, and S2 or 2 for the part. Lengths are in m, velocities in m/s, angular velocities in rad/s. "
-         "**v**_r and Ω_r are the velocity and the angular velocity of the part relative to the whole; **v**_r1 and "
-         "Ω_r1 are those of the rest. The column \"call\" names the function of the kit that computes the row. "
-         "`vm_separate2` computes the motion of the rest from **v**_S2 and Ω_2. (The function `vm_separate_relative2` "
-         "does the same from **v**_r and Ω_r.) In some rows Ω_1 is given, and Ω_2 must be found; in these rows "
-         "`vm_separation_for_rest2` computes the Ω_2 of the third column.\n\nIn Tables 2 to 4, the column \"part in "
-         "the text\" has the motion of the part that the dissertation assumes. The column \"rest in the text\" has "
-         "the dissertation's formula for the motion of the rest. The column \"as printed\" has the values of this "
-         "formula, and the column \"true\" has the correct values. The verdict \"holds\" means that the formula is "
-         "right. The words \"(cut off)\" mean that the printed formula is not complete.");
+         "test` checks each of its rows. The dissertation is *Dynamics of Mass Variable System* by Cveticanin. This "
+         "page has every row of the dissertation's Tables 1 to 4, with an example in numbers. Table 5 is printed by "
+         "the program build/examples/table5. [errata.md](errata.md) lists the errors of the dissertation.\n\nIn the "
+         "example of this page, a part separates from a plate. The plate before the separation is called the whole, "
+         "and what remains of the plate is called the rest. The whole has the mass M = 5 kg, the moment of inertia I_S "
+         "= 2 kg m² and its mass centre S at the origin. The part has the mass m = 1 kg and the moment of inertia I_S2 "
+         "= 0.125 kg m², and the vector from S to its mass centre is **SS**_2 = (0.5, 0.25) m. From this it follows "
+         "that the vector from S to the mass centre of the rest is **SS**_1 = (-0.125, -0.0625) m, and that the rest "
+         "has the moment of inertia I_S1 = 1.484375 kg m². In the tables, **v** is a velocity and Ω an angular "
+         "velocity. The index after such a letter says which body is meant: no index or the index S means the whole, "
+         "S1 or 1 means the rest, and S2 or 2 means the part. All lengths in the tables are in m, velocities in m/s, "
+         "angular velocities in rad/s. The letters **v**_r and Ω_r mean the velocity and the angular velocity of the "
+         "part relative to the whole; **v**_r1 and Ω_r1 mean those of the rest relative to the whole. The column "
+         "\"call\" names the function of the kit that computes the row. The function `vm_separate2` computes the "
+         "motion of the rest from **v**_S2 and Ω_2, the motion of the part. (The function `vm_separate_relative2` "
+         "computes the same from **v**_r and Ω_r.) In some rows the angular velocity Ω_1 of the rest is given, and the "
+         "angular velocity Ω_2 of the part must be found. In these rows `vm_separation_for_rest2` computes Ω_2, which "
+         "stands in the third column.\n\nIn Tables 2 to 4, the column \"part in the text\" has the motion of the part "
+         "that the dissertation assumes. The column \"rest in the text\" has the dissertation's formula for the motion "
+         "of the rest. The column \"as printed\" has the values of this formula, and the column \"true\" has the "
+         "correct values. The verdict \"holds\" means that the dissertation's formula is right. The words \"(cut "
+         "off)\" mean that the printed formula is not complete.");
 }
 
 int main(int argc, char **argv)

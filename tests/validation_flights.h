@@ -155,16 +155,18 @@ static void validate_brick(void)
 {
     static const validation_group reference = {
         "NESC check case Atmos_02: a brick tumbles without drag",
-        "NASA NESC atmospheric check cases, Atmos_02_sim_04.csv, in nasa/simupy-flight, commit 70754e6 (2024)",
-        "In a check case of NASA's NESC, several flight simulators compute the same flight. In this case a brick "
-        "falls and tumbles. We compute the rotation by `vm_torque_free_rotation`, in one step from the start, and the "
-        "fall by `rk87_solve`. The gravity contains the term J2, which describes the flattening of the earth. We "
-        "compute without the atmosphere, because the atmosphere has no effect on a body without drag. The roll, pitch "
-        "and yaw rates in the table are the components, along the axes of the body, of the angular velocity relative "
-        "to inertial axes. The angles yaw, pitch and roll are Euler angles relative to the directions north, east and "
-        "down.",
-        "The published file has 12 digits. At 30 s its yaw differs by 3e-9 degrees from the yaw of another simulator, "
-        "sim_01. Our yaw differs by 1.6e-9 degrees from the yaw of sim_01.",
+        "the file Atmos_02_sim_04.csv of NASA's NESC atmospheric check cases, in the repository nasa/simupy-flight, "
+        "commit 70754e6 (2024)",
+        "In a check case of NASA's NESC, several programs, called flight simulators, compute the same flight. In the "
+        "check case Atmos_02, a brick falls and tumbles. We compute the rotation by `vm_torque_free_rotation`, in one "
+        "step from the start, and the fall by `rk87_solve`. The gravity in this computation contains the term J2, "
+        "which describes the flattening of the earth. We compute without the atmosphere, because the atmosphere has no "
+        "effect on a body without drag. The roll, pitch and yaw rates in the table are the components, along the axes "
+        "of the body, of the angular velocity relative to inertial axes. The angles yaw, pitch and roll are Euler "
+        "angles relative to the directions north, east and down.",
+        "The numbers of the published file have 12 digits, but not all of these digits are exact. At 30 s the yaw in "
+        "this file differs by 3e-9 degrees from the yaw that another simulator, sim_01, computed. Our yaw differs by "
+        "1.6e-9 degrees from the yaw of sim_01.",
         3e-9, 0};
     char text[60];
     int i, j;
@@ -190,11 +192,12 @@ static void validate_other_bricks(void)
 {
     static const validation_group others = {
         "Atmos_02 by the other simulators, body rates at 30 s",
-        "the NESC check cases, Atmos_02_sim_01.csv, 02, 05 and 06",
-        "Our numbers come from the same call as in the previous table. The results of the simulators differ from each "
-        "other because the simulators use steps of different lengths. The rates by sim_01 and sim_04 agree with ours "
-        "to 10 digits.",
-        "The largest difference between two of the simulators is 2e-4.",
+        "the files Atmos_02_sim_01.csv, Atmos_02_sim_02.csv, Atmos_02_sim_05.csv and Atmos_02_sim_06.csv of the NESC "
+        "check cases",
+        "Our numbers are the rates of the brick at 30 s from the previous table. The results of the simulators differ "
+        "from each other because the simulators use steps of different lengths. The rates that the simulators sim_01 "
+        "and sim_04 computed agree with our rates to 10 digits.",
+        "The largest relative difference between the results of two simulators is 2e-4.",
         3e-4, 3e-4};
     static const char *const axis[3] = {"roll", "pitch", "yaw"};
     const brick_state s = brick_at(30);
@@ -214,21 +217,22 @@ static void validate_second_stage(void)
 {
     static const validation_group group = {
         "NESC check case Atmos_17: the second stage of a rocket burns",
-        "the NESC check cases, Atmos_17_sim_06.csv, and twostage_prop.dml (revision A), twostage_inertia.dml",
-        "`rk87_solve` starts from the published state at 134.1 s and computes the flight to 200 s. As in the previous "
-        "check case, the gravity contains the term J2. At the start the rocket has a mass of 99 t, of which 80 t are "
-        "propellant that burns in this time. The thrust is 5 MN and the specific impulse 390 s, with g0 = 9.8066 "
-        "m/s^2. The published pitch angle gives the direction of the thrust. We do not compute the flight of the "
-        "first stage through the atmosphere, because it needs tables of drag. The drag of the second stage is below "
-        "0.01 N. We do not compute the rotation of the rocket either. The reason is that at 200 s the file has a "
-        "pitch moment of 29 ft lbf, although the dynamic pressure is only 4e-11 lbf/ft^2. No aerodynamic coefficient "
-        "can cause this moment, and we do not know its cause. The time of ignition is not in the file either. "
-        "Therefore we searched for the time of ignition for which our velocity at 134.3 s is equal to that of the "
-        "file. The x component and the y component of the velocity both give 134.1745 s, with differences of at most "
-        "4e-6 s. Two other simulators also computed this check case, but their files were not available.",
+        "the files Atmos_17_sim_06.csv, twostage_prop.dml (revision A) and twostage_inertia.dml of the NESC check cases",
+        "`rk87_solve` starts from the published state of the rocket at 134.1 s and computes the flight to 200 s. As "
+        "for the brick in Atmos_02, the gravity contains the term J2, which describes the flattening of the earth. At "
+        "the start the rocket has a mass of 99 t, of which 80 t are propellant that burns in this time. The thrust is "
+        "5 MN and the specific impulse 390 s, with g0 = 9.8066 m/s^2. The published pitch angle gives the direction of "
+        "the thrust. We do not compute the flight of the first stage through the atmosphere, because this computation "
+        "needs tables of drag. The drag of the second stage is below 0.01 N, and we neglect it. We do not compute the "
+        "rotation of the rocket either. The reason is that at 200 s the published file has a pitch moment of 29 ft "
+        "lbf, although the dynamic pressure is only 4e-11 lbf/ft^2. No aerodynamic coefficient can cause this moment, "
+        "and we do not know its cause. The file does not contain the time of ignition. Therefore we searched for the "
+        "time of ignition for which our velocity at 134.3 s is equal to the velocity in the file. The search by the x "
+        "component of the velocity and that by the y component both give 134.1745 s, with differences of at most 4e-6 "
+        "s. Two other simulators also computed this check case, but their files were not available.",
         "Our speed at 200 s is smaller than the published speed by 1.6 ft/s. The engine adds 1.6 ft/s in the last 1.8 "
-        "ms before burnout. The simulator has steps of 100 ms, so that the end of its burn may be wrong by 1.8 ms. We "
-        "do not know the causes of the smaller differences in the other rows.",
+        "ms before burnout. The simulator has steps of 100 ms, so that the time at which its engine stops may well be "
+        "wrong by 1.8 ms. We do not know the causes of the smaller differences in the other rows of the table.",
         1e-4, 4e-4};
     const double ignition = 134.1745, mass_rate = -5e6 / (390 * 9.8066), burn = 80000 / -mass_rate;
     vm_real y[4] = {VM_C(21361276.292372078), VM_C(1007426.1413189974), VM_C(2099.812416485217),
@@ -318,14 +322,14 @@ static void validate_toutatis_periods(void)
 {
     static const validation_group group = {
         "The two periods of Toutatis",
-        "Y. Zhao et al., MNRAS 450 (2015) 3620, 5.38 and 7.40 days, each within 0.03 days; R. S. Hudson and S. J. Ostro, Science "
-        "270 (1995) 84, 5.41 and 7.35 days",
+        "Zhao and others, MNRAS 450 (2015) 3620, found periods of 5.38 and 7.40 days, each within 0.03 days; Hudson "
+        "and Ostro, Science 270 (1995) 84, found 5.41 and 7.35 days",
         "Toutatis is an asteroid. We compute its rotation over 10000 days by `vm_torque_free_rotation`. We start from "
-        "the state that Takahashi, Busch and Scheeres give in AJ 146 (2013) 95: relative moments of inertia 3.0836, "
-        "3.235 and 1, rates of rotation 14.51, 33.529 and -98.709 degrees a day. We neglect the torques of earth and "
-        "sun.",
-        "The authors give an uncertainty of 0.6 % for the newer periods, and the older periods differ from the newer "
-        "ones by about the same amount.",
+        "the state that Takahashi, Busch and Scheeres give in AJ 146 (2013) 95. In this state the moments of inertia "
+        "about the three axes are in the ratio 3.0836 to 3.235 to 1, and the rates of rotation about these axes are "
+        "14.51, 33.529 and -98.709 degrees a day. We neglect the torques of earth and sun.",
+        "The authors of 2015 give an uncertainty of 0.6 % for their periods, and the periods of 1995 differ from those "
+        "of 2015 by about the same amount.",
         1e-2, 1e-2};
     double spin, precession;
     toutatis_periods(&spin, &precession);
@@ -353,14 +357,16 @@ static void validate_toutatis_rates(void)
 {
     static const validation_group group = {
         "Toutatis against the radar of December 1992",
-        "mockingbirdnest/Principia, commit 9ffb8b0c4 (2026), physics/euler_solver_test.cpp, Toutatis. The program "
-        "Principia compares the angular velocity that its solver computes with the observed angular velocity, in body "
-        "axes. The published numbers are the relative difference of the two speeds of rotation, and the angle between "
-        "the two vectors",
-        "We compute the angular velocity at the times of the observations by `vm_torque_free_rotation` and compare it "
-        "with the same observations. The rotation starts from the same state as in the previous table.",
-        "Principia rounds the difference to 0.001 and the angle to 0.1 degrees. Half a unit of the last digit of the "
-        "angle is 0.05 degrees, which is 10 % of the smallest angle, 0.5 degrees.",
+        "the test Toutatis in the file physics/euler_solver_test.cpp of the repository mockingbirdnest/Principia, "
+        "commit 9ffb8b0c4 (2026). The program Principia compares the angular velocity of the asteroid Toutatis that "
+        "its solver computes with the observed angular velocity, in body axes. The published numbers are the relative "
+        "difference between the computed and the observed speed of rotation, and the angle between the two vectors of "
+        "angular velocity",
+        "We compute the angular velocity of Toutatis at the times of the observations by `vm_torque_free_rotation` and "
+        "compare it with the observed angular velocity, as Principia does. The rotation starts from the same state as "
+        "in the previous table.",
+        "Principia rounds the relative difference of the speeds to 0.001 and the angle to 0.1 degrees. Half a unit of "
+        "the last digit of the angle is 0.05 degrees, which is 10 % of the smallest angle, 0.5 degrees.",
         0.1, 0.1};
     const double epoch = 9 + (17 + (49 + 47.0 / 60) / 60) / 24 - 30; /* in days of December; November has 30 */
     const vm_body start = toutatis_start();

@@ -32,14 +32,15 @@ static void validate_gsl_integrals(void)
 {
     static const validation_group group = {
         "GSL's elliptic integrals",
-        "GNU Scientific Library 2.8, specfunc/test_sf.c, test_ellint",
-        "GSL's functions have the modulus k as parameter; ours have m = k^2. The characteristic n of Pi has the "
-        "opposite sign in GSL. In the row of jacobi_K_m1, k is 1 - 2^-30. For this k, GSL's own test allows an error "
-        "of 1e-6, because GSL's function gets k and must compute 1 - k^2. In this difference most digits cancel. Our "
-        "function jacobi_K_m1 gets the number 1 - k^2 itself, which has no rounding error here.",
+        "the GNU Scientific Library (GSL) 2.8, function test_ellint in the file specfunc/test_sf.c",
+        "The functions of GSL have the modulus k as parameter; our functions have m = k^2. The characteristic n of the "
+        "integral Pi has the opposite sign in GSL. In the row of jacobi_K_m1, k is 1 - 2^-30. For this k, GSL's own "
+        "test allows an error of 1e-6, because GSL's function gets k and must compute 1 - k^2. In this difference most "
+        "digits cancel, so that its relative error is large. Our function jacobi_K_m1 gets the number 1 - k^2 itself, "
+        "which is an exact floating-point number here.",
         "The errors of our incomplete integrals are at most 8 ulp. (An ulp is the distance between neighbouring "
-        "floating-point numbers.) The rounding of k^2 and of the angle adds an error of at most 4 eps. (eps is "
-        "2.2e-16 in double.)",
+        "floating-point numbers.) The rounding of k^2 and of the angle adds an error of at most 4 eps, where eps is "
+        "2.2e-16 in double.",
         3e-15, 3e-6};
     validation_begin(&group);
     ROW("3.3566005233611923760", jacobi_K(0.99 * 0.99));
@@ -67,10 +68,12 @@ static void validate_gsl_functions(void)
 {
     static const validation_group group = {
         "GSL's Jacobi functions and incomplete beta function",
-        "GNU Scientific Library 2.8, specfunc/test_sf.c, test_jac, and specfunc/test_gamma.c",
-        "GSL's elljac has the parameter m, as our functions have. GSL's beta_inc(a, b, x) is the same function as our "
-        "ateb_beta_inc(x, a, b).",
-        "The errors of our Jacobi functions are at most 9 ulp. The numbers m = 0.3, 0.6 and 0.999999 are rounded, "
+        "the GNU Scientific Library (GSL) 2.8, function test_jac in the file specfunc/test_sf.c, and the file "
+        "specfunc/test_gamma.c",
+        "GSL's function for sn, cn and dn, elljac, has the same parameter m as our functions. GSL's beta_inc(a, b, x) "
+        "is the same function as our ateb_beta_inc(x, a, b).",
+        "The errors of our Jacobi functions are at most 9 ulp. (An ulp is the distance between neighbouring "
+        "floating-point numbers.) The parameters m = 0.3, 0.6 and 0.999999 must be rounded to floating-point numbers, "
         "which causes a further error.",
         3e-15, 6e-6};
     validation_begin(&group);
@@ -93,13 +96,12 @@ static void validate_gsl_large_beta(void)
 {
     static const validation_group group = {
         "GSL's incomplete beta function of large parameters",
-        "GNU Scientific Library 2.8, specfunc/test_gamma.c",
-        "As in the previous table, GSL's beta_inc(a, b, x) is our ateb_beta_inc(x, a, b). If the kit computes in "
-        "float, published numbers below 1e-37 are not compared, because they are too small for a float with all its "
-        "digits.",
-        "The arguments x = 0.4 and 0.6 are rounded to double. The rounding error of x changes the result; the "
-        "relative change is this error times the derivative of the logarithm of the result with respect to x. This "
-        "derivative is up to some thousands.",
+        "the GNU Scientific Library (GSL) 2.8, file specfunc/test_gamma.c",
+        "As in the previous table, GSL's beta_inc(a, b, x) is our ateb_beta_inc(x, a, b). `make test` checks the table "
+        "in float, too; then it leaves out the rows whose published number is below 1e-37, because a float cannot hold "
+        "such a small number with all its digits.",
+        "The arguments x = 0.4 and 0.6 are rounded to double. Let f be the result as a function of x. A rounding error "
+        "of x changes ln f by this error times the derivative of ln f, which is up to some thousands.",
         6e-13, 1e-6};
     validation_begin(&group);
     ROW("0.9999999999157549630", ateb_beta_inc(0.6, 500.0, 500.0));
@@ -118,14 +120,14 @@ static void validate_boost(void)
 {
     static const validation_group group = {
         "Boost.Math's test data",
-        "boostorg/math, commit 99733ebbd (2026), test/test_jacobi.hpp, test_ellint_3.hpp, ellint_*_data.ipp, ellint_rg.ipp, "
-        "ibeta_small_data.ipp",
-        "Boost's functions have the modulus k as parameter; ours have m = k^2. The arguments are binary fractions, "
-        "which double and float contain exactly. In the table, any_sn stands for the first result of "
-        "jacobi_sncndn_any, for k = 1.5.",
-        "The bounds of our errors are 9 ulp for sn, cn and dn, 30 ulp for ateb_beta_inc, and at most 8 ulp for the "
-        "other functions. Near k = 1, the rounding of k^2 adds an error of some eps, because E and F depend on 1 - "
-        "k^2.",
+        "the repository boostorg/math, commit 99733ebbd (2026), test/test_jacobi.hpp, test_ellint_3.hpp, "
+        "ellint_*_data.ipp, ellint_rg.ipp, ibeta_small_data.ipp",
+        "The functions of Boost have the modulus k as parameter; our functions have m = k^2. The arguments are binary "
+        "fractions, which are stored without rounding in double and in float. In the table, any_sn stands for the "
+        "first result of the function jacobi_sncndn_any, which is sn, for k = 1.5.",
+        "The bounds of the errors of our functions are 9 ulp for sn, cn and dn, 30 ulp for ateb_beta_inc, and at most "
+        "8 ulp for the other functions. (An ulp is the distance between neighbouring floating-point numbers.) Near k = "
+        "1, the rounding of k^2 adds an error of some eps (2.2e-16 in double), because E and F depend on 1 - k^2.",
         4e-15, 4e-6};
     validation_begin(&group);
     ROW("0.246781405136141600483623741101255", jacobi_sn(0.25, 0.5 * 0.5));
@@ -163,11 +165,12 @@ static void validate_carlson(void)
 {
     static const validation_group group = {
         "Carlson's symmetric integrals",
-        "B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numerical Algorithms 10 (1995), "
-        "section 3",
-        "The paper has integrals with real and with complex arguments; the table has those with real arguments. R_J "
-        "with p < 0 is an integral over a pole; the number in the table is its principal value.",
-        "The paper prints its numbers with 14 digits.",
+        "section 3 of Carlson's paper \"Numerical computation of real or complex elliptic integrals\", Numerical "
+        "Algorithms 10 (1995)",
+        "Carlson's paper has integrals with real and with complex arguments; the table has those with real arguments. "
+        "The integral R_J has a pole in its range if its last argument is negative; the number in the table is then "
+        "its principal value.",
+        "Carlson's paper prints its numbers with 14 digits.",
         1e-13, 3e-6};
     validation_begin(&group);
     ROW("1.3110287771461", jacobi_RF(1, 2, 0));
@@ -191,16 +194,17 @@ static void validate_handbooks(void)
 {
     static const validation_group group = {
         "Abramowitz and Stegun, K(m)",
-        "Handbook of Mathematical Functions (1964), table 17.1",
-        "The table below has the nine rows of the published table for m = 0.1 to 0.9.",
-        "The published table has 15 decimals. Half a unit of the last decimal is 5e-16, and the rounding of m causes "
-        "a further error of this size.",
+        "table 17.1 of the Handbook of Mathematical Functions (1964)",
+        "The table below has the nine rows of the handbook's table of K(m) for m = 0.1 to 0.9.",
+        "The handbook's table has 15 decimals. Half a unit of the last decimal is 5e-16, and the rounding of m to a "
+        "floating-point number causes a further error of this size.",
         2e-15, 1e-6};
     static const validation_group short_rows = {
         "Abramowitz and Stegun, E(m); the DLMF, sn, cn and dn",
-        "Handbook of Mathematical Functions, table 17.1; NIST Digital Library of Mathematical Functions (DLMF), "
-        "22.20(ii)",
-        "E(m) is from the Handbook's table; sn, cn and dn are from the DLMF's worked example with x = 0.8, k = 0.65.",
+        "table 17.1 of the Handbook of Mathematical Functions, and section 22.20(ii) of NIST's Digital Library of "
+        "Mathematical Functions (DLMF)",
+        "The published numbers E(m) are from the Handbook's table; those of sn, cn and dn are from a worked example of "
+        "the DLMF with the argument x = 0.8 and the modulus k = 0.65.",
         "The Handbook's table has 9 decimals, and half a unit of the last decimal is 5e-10. The DLMF's example has 10 "
         "decimals.",
         5e-10, 1e-6};

@@ -97,22 +97,22 @@ static void validate_cv_rocket(void)
 {
     static const validation_group printed = {
         "CVODE's rocket, as printed",
-        "LLNL/sundials 7.5.0, examples/cvode/serial/cvRocket_dns.out",
-        "CVODE's example computes the flight of a rocket. We compute this flight by `rk87_solve` with two events. The "
-        "first event happens at the height 4000 ft: the engine stops, and the integration starts again from there "
-        "(`ODE_RESTART`). The second event is the apogee, the highest point of the flight, where the velocity is 0. "
-        "The tolerance of `rk87_solve` is 1e-13.",
+        "the file examples/cvode/serial/cvRocket_dns.out of LLNL/sundials 7.5.0",
+        "This example of the integrator CVODE computes the flight of a rocket. We compute the same flight by "
+        "`rk87_solve` with two events. The first event happens at the height of 4000 ft: the engine stops, and the "
+        "integration starts again from there (`ODE_RESTART`). The second event is the apogee, the highest point of the "
+        "flight, where the velocity is 0. The tolerance of `rk87_solve` is 1e-13.",
         "CVODE ran with a relative tolerance of 1e-5 and absolute tolerances of 0.01 ft and 0.1 ft/s in each step. Our "
         "numbers are more accurate, as the section \"CVODE's rocket, exactly\" shows.",
         3e-4, 3e-4};
     static const validation_group exact = {
         "CVODE's rocket, exactly",
-        "the exact solution of the problem of the previous table, in closed form with an exponential integral, "
-        "computed by mpmath to 40 digits",
-        "Our numbers are from the same run as in the previous table. A comparison of CVODE's numbers with the exact "
-        "solution shows the relative errors of CVODE. They are 3e-5 in the time of the cutoff (at which the engine "
-        "stops), 7e-5 in the time of the apogee and 1.2e-4 in the height of the apogee.",
-        "Our run has the tolerance 1e-13 for each step, and the errors of all steps add up.",
+        "the exact flight of CVODE's rocket, by a formula with an exponential integral, which mpmath computed to 40 "
+        "digits",
+        "Our numbers are the same as in the previous table, from the same run of `rk87_solve`. A comparison of CVODE's "
+        "numbers with the exact flight shows the relative errors of CVODE. These errors are 3e-5 in the time of the "
+        "cutoff (at which the engine stops), 7e-5 in the time of the apogee and 1.2e-4 in the height of the apogee.",
+        "Our run of `rk87_solve` has the tolerance 1e-13 for each step, and the errors of all steps add up.",
         1e-12, 1e-5};
     const cv_rocket_flight flight = cv_rocket_fly();
     validation_begin(&printed);
@@ -157,11 +157,12 @@ static void validate_arenstorf(void)
 {
     static const validation_group group = {
         "Arenstorf's orbit",
-        "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, II.0, (0.1), (0.2)",
+        "equations (0.1) and (0.2) in section II.0 of Hairer, Norsett and Wanner, Solving Ordinary Differential "
+        "Equations I, 2nd edition",
         "Arenstorf's orbit is a periodic orbit of a light body that is attracted by two heavy ones. We compute the "
-        "orbit by `rk87_solve` with the tolerance 6e-14. In a first run, an event finds the end of the period: there "
-        "the coordinate y2 becomes 0 and then negative. A second run ends at the published period. At its end the "
-        "body must be back at its start, (y1, y2) = (0.994, 0).",
+        "orbit by `rk87_solve` with the tolerance 6e-14. In a first run, an event finds the end of the period, at "
+        "which the coordinate y2 becomes 0 and then negative. A second run ends after the published period. At the end "
+        "of this second run the light body must be back at its start, (y1, y2) = (0.994, 0).",
         "The orbit is unstable: an error at the start becomes 14 000 times as large in one period.",
         1e-9, 0};
     vm_real y[4] = {VM_C(0.994), 0, 0, VM_C(-2.00158510637908252240537862224)};
@@ -204,12 +205,12 @@ static void validate_pleiades(void)
 {
     static const validation_group group = {
         "The Pleiades, seven stars in a plane",
-        "Test Set for IVP Solvers, release 2.4 (F. Mazzia, C. Magherini, Bari 2008), problem plei, reference solution at "
-        "t = 3",
-        "We compute the motion by `rk87_solve` with the tolerance 6e-14 for all 28 unknowns. The table has the 14 "
-        "coordinates of the stars, but not their velocities.",
-        "Stars 1 and 7 pass each other at a distance of only 0.034. An error of x1 at the start becomes 31 times as "
-        "large. The published solution has 16 digits.",
+        "the problem plei of the Test Set for IVP Solvers, release 2.4 (Mazzia and Magherini, Bari 2008), reference "
+        "solution at t = 3",
+        "We compute the motion of the seven stars by `rk87_solve` with the tolerance 6e-14 for all 28 unknowns, which "
+        "are coordinates and velocities. The table has the 14 coordinates of the stars, but not their velocities.",
+        "Stars 1 and 7 pass each other at a distance of only 0.034. An error of the coordinate x1 at the start becomes "
+        "31 times as large until the end of the motion. The published solution has 16 digits.",
         1e-10, 0};
     static const char *const published[14] = {
         "0.3706139143970502", "3.237284092057233",  "-3.222559032418324", "0.6597091455775310", "0.3425581707156584",
@@ -291,19 +292,21 @@ static void validate_orekit(void)
 {
     static const validation_group group = {
         "Orekit's burn of constant thrust, the mass",
-        "CS-SI/Orekit, commit 0104345c (2020), ConstantThrustManeuverTest.java, testRoughBehaviour",
-        "We compute the flight by `rk87_solve` in three parts: a flight without thrust for 17134.08 s, the burn of "
-        "3653.99 s with 420 N and a specific impulse of 318 s, and again a flight without thrust, until 3800 s after "
-        "ignition. The specific impulse times g0 = 9.80665 m/s^2 is the exhaust velocity.",
+        "the repository CS-SI/Orekit, commit 0104345c (2020), test testRoughBehaviour in "
+        "ConstantThrustManeuverTest.java",
+        "In this test of Orekit, an engine changes the orbit of a spacecraft. We compute the flight by `rk87_solve` in "
+        "three parts. First the spacecraft flies without thrust for 17134.08 s. Then the engine burns for 3653.99 s "
+        "with a thrust of 420 N and a specific impulse of 318 s. After this the spacecraft flies without thrust again, "
+        "until 3800 s after ignition. The exhaust velocity is the specific impulse times g0 = 9.80665 m/s^2.",
         "Orekit prints 16 digits. Orekit's integrator and ours compute the mass step by step, and the rounding errors "
         "of all steps add up.",
         1e-13, 3e-5};
     static const validation_group orbit = {
         "Orekit's burn of constant thrust, the orbit",
         "the same commit and test of Orekit as in the previous table",
-        "Our numbers are from the same run as in the previous table. Before the burn the orbit has the semi-major "
-        "axis a = 24396159 m, the eccentricity e = 0.72831215 and an inclination of 7 degrees. The thrust has the "
-        "right ascension 351 degrees and the declination -7.4978 degrees.",
+        "Our numbers are from the same run of `rk87_solve` as the mass in the previous table. Before the burn the "
+        "orbit has the semi-major axis a = 24396159 m, the eccentricity e = 0.72831215 and an inclination of 7 "
+        "degrees. The direction of the thrust has the right ascension 351 degrees and the declination -7.4978 degrees.",
         "Orekit prints the inclination after the burn, 2.6872 degrees, to 1e-4 degrees, and the semi-major axis, "
         "28970 km, to 1 km. In both cases a unit of the last digit is about 4e-5 of the value.",
         4e-5, 4e-5};
@@ -329,11 +332,11 @@ static void validate_tsiolkovsky(void)
         "Tsiolkovsky's rocket",
         "Wikipedia, Tsiolkovsky rocket equation, section Examples (read in 2026)",
         "We call `vm_tsiolkovsky(0, 1, m, -4500)`, where m is the fraction of the mass that is left at the end, and "
-        "4500 m/s is the exhaust velocity. The first row is for a rocket that reaches an orbit with one stage. The "
-        "other two rows are for the two stages of a second rocket.",
+        "4500 m/s is the exhaust velocity. The first row of the table is for a rocket that reaches an orbit with one "
+        "stage. The other two rows are for the two stages of a second rocket.",
         "The published fractions of the mass have three decimals. So the fraction m = 0.116 of the first row has a "
-        "relative error of up to 0.4 %. The velocity is proportional to ln(1/m). Therefore its relative error is 0.4 "
-        "% divided by ln(1/0.116) = 2.2, which is 0.2 %.",
+        "relative error of up to 0.4 %. The velocity is proportional to ln(1/m). Therefore the relative error of the "
+        "velocity is 0.4 % divided by ln(1/0.116) = 2.2, which is 0.2 %.",
         2e-3, 2e-3};
     validation_begin(&group);
     validation_row("velocity with 88.4 % of propellant, m/s", "9700", (double)vm_tsiolkovsky(0, 1, VM_C(0.116), -4500));

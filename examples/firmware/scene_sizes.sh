@@ -75,11 +75,11 @@ cat <<'END'
 
 This page is written by `make scene-sizes`.
 
-A scene is a list of bodies, of forces on them and of events; the kit computes the motion from this list. The tables show by how
-many bytes of flash (memory of the program) a program grows when it contains a scene, with all functions and constants that the
-scene needs. The programs compute in float and are compiled by gcc -Os. M0 is a Cortex-M0, which has no floating-point unit; the
-numbers in this column include the code that emulates floating-point arithmetic. M4F is a Cortex-M4F, which has a floating-point
-unit.
+A scene is a list of bodies, of forces on them and of events, from which the kit computes a motion. The tables show by how many
+bytes of flash (the memory that stores the program) a program grows when a scene is added to it, with all functions and constants
+that the scene needs. The programs compute in float and are compiled by gcc -Os. The column M0 is for the processor Cortex-M0,
+which has no floating-point unit; the numbers in this column include the code that emulates floating-point arithmetic. The column
+M4F is for the processor Cortex-M4F, which has a floating-point unit.
 
 | a scene with vm_scene_start and vm_scene_rhs | M0 | M4F |
 |---|---|---|
@@ -119,7 +119,8 @@ awk '/^ \.text\.vm/ {name = $1} name && /0x/ {for (i = 1; i <= NF; i++) if ($i ~
     "$build/scene.map" | sed 's/^\.text\.//; s/\..*//' | sort -u >"$build/linked"
 others=$(grep -E '^vmi_(apply|plane|point|free|axle|then|jump|when|growth|crossing|band|link)|^vmi_scene_(totals|rates|happen)' "$build/linked" |
     grep -vE '^vmi_apply_(linear_spring|damper)$')
-printf '\nA program whose scene is a body on a line with a spring and a damper contains only the following functions of the kit.\n'
+printf '\nIf the scene of a program is a body on a line with a spring and a damper, the program contains only those functions of the\n'
+printf 'kit that are listed here.\n'
 [ -n "$others" ] && echo "It should not contain: $others" && exit 1
-printf 'It contains no function for another force, for another kind of body or for an event:\n\n'
+printf 'The program contains no function of the kit for another force, for another kind of body or for an event:\n\n'
 sed 's/^/- `/; s/$/`/' "$build/linked"

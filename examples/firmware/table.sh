@@ -128,11 +128,12 @@ avr_table() {
     sh tests/install.sh -w "for the flash of programs on an ATmega328P" "command -v avr-gcc" gcc-avr avr-libc binutils-avr ||
         return 1
     printf '\n## ATmega328P\n\n'
-    printf 'The ATmega328P is a processor with 32768 bytes of flash. The table has the bytes of flash of a whole program in float. On the\n'
-    printf 'board, the program makes the plan of an oscillator that loses mass. From this plan it computes the motion at 16 times, and it\n'
-    printf 'prints the results (tests/cross/tables.c). If the plan is made on a PC, it is a constant, and the program needs less flash because\n'
-    printf 'it does not contain the code that makes the plan. The second and third column have the names of options of the compiler avr-gcc,\n'
-    printf 'with which the program was compiled.\n'
+    printf 'The ATmega328P is a processor with 32768 bytes of flash. The table shows how many bytes of flash the program tests/cross/tables.c\n'
+    printf 'needs, which computes in float. This program runs on the ATmega328P: it makes the plan of an oscillator that loses mass, computes\n'
+    printf 'the motion at 16 times from this plan, and prints the results. A program with more than 32768 bytes does not fit into the flash.\n'
+    printf 'If the plan is made on a PC and stored as a constant, the program needs less flash, because it does not contain the code that\n'
+    printf 'makes the plan. The second and third column are for two sets of options of the compiler avr-gcc, which the headings of the columns\n'
+    printf 'name.\n'
     printf '\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
     for order in 2 3 5; do
         printf '| %s | %s | %s |\n' $order "$(avr_flash $order)" "$(avr_flash $order -mcall-prologues -mrelax)"
@@ -142,14 +143,16 @@ echo "function,precision,target,flash,stack,instructions" >"$build/table.csv"
 cat <<'END'
 # Flash, stack and instructions of a call
 
-This page says how much memory and how many instructions the functions of the kit need on microcontrollers. The command
-`make firmware-table` writes the page, with the compiler gcc and the options `-Os -fno-math-errno -ffp-contract=off`.
+This page says how much memory a call of a function of the kit needs on microcontrollers, and how many instructions the call
+executes. The command `make firmware-table` writes this page. The functions are compiled by gcc with the options
+`-Os -fno-math-errno -ffp-contract=off`.
 
-Each cell of the tables for float and double has three numbers, which describe a call of one function: flash, stack and
-instructions. *Flash* (the memory of the program) is the number of bytes by which a program grows when the call is added to it,
-with all functions and tables of constants that the call needs. *Stack* is the number of bytes that the call needs on the stack.
-*Instructions* is the number of machine instructions that the processor executes in the call. Stack and instructions were measured
-in many calls on emulated boards, and the tables have the largest numbers.
+In the tables for float and double, each cell has three numbers, which describe a call of one function: flash, stack and
+instructions. Flash is the memory that stores the program. The number for flash says by how many bytes a program grows when the
+call is added to it, with all functions and tables of constants that the call needs. The number for the stack says how many bytes
+of the stack the call needs. The number of instructions says how many machine instructions the processor executes during the call.
+Stack and instructions were measured in many calls on emulated boards (boards that a PC imitates); the tables show the largest
+number of all calls.
 
 | target | processor |
 |---|---|
@@ -159,27 +162,33 @@ in many calls on emulated boards, and the tables have the largest numbers.
 | RV32IMAC | RISC-V without floating-point unit |
 | RV32IMAFDC | RISC-V with float and double in hardware |
 
-Each function was called with 300 random sets of arguments (`vm_osc_closed_init` with 10) and with some difficult arguments: the
-ends of the intervals of allowed arguments, u = 1e9 (in float 1e4), and m next to 1. The script examples/firmware/table.sh lists
-the difficult arguments. The random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments
-of the functions explain these letters. Random bodies have three different moments of inertia, and any attitude and motion. A call
-with other arguments may need a larger stack or more instructions than the tables say.
+Each function was called with 300 random sets of arguments (only `vm_osc_closed_init` with 10), and then with some difficult
+arguments. Difficult arguments are the ends of the intervals of allowed arguments, the large argument u = 1e9 (in float 1e4), and
+values next to 1 of the elliptic parameter m. The script examples/firmware/table.sh lists all difficult arguments. In most rows,
+the random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments above the functions
+explain these letters. For functions of bodies, the random bodies in space have three different moments of inertia, a random
+attitude and a random motion. With other arguments than these, a call may need a larger stack or more instructions than the tables
+say.
 
 A plan is a struct of numbers that are computed once and then used in many calls. In the rows of `jacobi_plan_sncndn` and
-`ateb_plan_saca` the flash includes the code that makes the plan. A program whose plan is a constant in flash does not need this
-code. The rows of the other functions that use a plan, a body or a scene have the following calls:
+`ateb_plan_saca` the number for flash includes the code that computes the plan. A program does not need this code if its plan was
+computed on a PC and is a constant in flash. The following list says what is computed in the other rows that use a plan, a body or
+a scene:
 
-- `vm_osc_closed_at` computes the motion of an oscillator whose mass grows, with the exponent alpha = 1.7 of the spring force. It
-  uses an approximate formula (law) of order two, three or five. The plan is a constant in flash, and the flash in the table
-  includes the plan.
-- `vm_osc_closed_init` computes such a plan on the board. The mass is a linear function of time.
+- `vm_osc_closed_at` computes the motion of an oscillator whose mass grows; the exponent alpha of its spring force is 1.7. The
+  function uses an approximate formula (law) of order two, three or five; the first column names the order. The plan of this
+  oscillator is a constant in flash, and the number for flash includes the plan.
+- `vm_osc_closed_init` computes a plan for `vm_osc_closed_at` on the board. The mass of the oscillator is a linear function of
+  time.
 - `vm_osc_exact` computes the motion of an oscillator with constant mass.
-- `vm_torque_free_attitude` computes the rotation of a body without torque at times from -1000 s to 1000 s. The function
-  `vm_torque_free_init`, which prepares this computation once, has its own row.
-- `vm_scene_rhs` and `rk4_step of the scene`: a scene is a list of bodies, forces and events. This scene is a tray that loses its
-  load, with a damper and a spring whose force is any power of its extension. A call of `vm_scene_rhs` computes the accelerations
-  in the scene once, and a step of `rk4` computes them four times. [scene-sizes.md](scene-sizes.md) has the flash of whole scenes.
-- `rk4_step` and `rk45_step` compute one step of the motion of a cubic oscillator. The step of `rk45` is the first step of a run.
+- `vm_torque_free_attitude` computes the attitude of a rotating body without torque, at times from -1000 s to 1000 s. The function
+  `vm_torque_free_init`, which must be called once before, has a row of its own.
+- `vm_scene_rhs` and `rk4_step of the scene` are the rows of a scene, which is a list of bodies, forces and events. The scene of
+  these rows is a tray that loses its load; a damper and a spring act on the tray, and the force of the spring is proportional to
+  any power of its extension. A call of `vm_scene_rhs` computes the accelerations of the scene once, and a step of `rk4` computes
+  the accelerations four times. [scene-sizes.md](scene-sizes.md) says how much flash other scenes need.
+- `rk4_step` and `rk45_step` compute one step of the motion of an oscillator with the equation x'' = -x^3. For `rk45_step` this is
+  the first step of an integration.
 
 ![instructions of a call](figures/firmware.svg)
 END

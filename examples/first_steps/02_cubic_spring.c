@@ -1,9 +1,10 @@
-/* A spring that stiffens. A mass on a cubic spring moves by x'' + x^3 = 0. The mass vibrates faster if its amplitude is
-   larger, (262). The exact motion is not a cosine but a similar function, the Ateb cosine ca(3, 1, s), (282). The
-   argument s is proportional to the time. If the force is x |x|^(alpha-1) instead, the motion is ca(alpha, 1, s). The
-   program compares two other formulas for the motion with ca. The first formula is a cosine with the exact period,
-   (291); its error is up to 7 % of the amplitude. The second formula is Jacobi's function cn, (297), which is exact for
-   alpha = 3.
+/* A spring that stiffens. The equation of motion of a mass on a cubic spring is x'' + x^3 = 0. Equation (262) gives the period of
+   the vibration, which is shorter if the amplitude is larger. By equation (282), the exact motion x(t) is the amplitude times
+   ca(3, 1, s), where ca is the Ateb cosine, a function similar to the cosine, and s is proportional to the time. If the force of
+   the spring is x |x|^(alpha-1) instead of x^3, the function in the exact motion is ca(alpha, 1, s). For the cubic spring the
+   program compares two other formulas with the exact motion. The first formula, (291), is a cosine with the exact period; its
+   error is up to 7 % of the amplitude. The second formula, (297), contains Jacobi's function cn and is exact for the cubic
+   spring.
 
    cc -O2 02_cubic_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

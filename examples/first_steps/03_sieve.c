@@ -1,12 +1,12 @@
-/* A vibrating sieve that is being loaded. The program defines a scene: a list of bodies, a list of effects that act on them (such
-   as a spring), and a list of events that change the scene. A motor shakes a sieve of 20 kg on a spring and a damper, with a
-   force of up to 60 N. From t = 4 s on, gravel falls straight down into the sieve at 2 kg/s, (175), until 20 kg of gravel are in
-   the sieve. As the mass grows, the natural frequency sqrt(k/m) falls, and passes the frequency of the motor. This is resonance.
+/* A vibrating sieve that is being loaded. This program describes a machine as a scene: a list of bodies, a list of effects that
+   act on the bodies (such as a spring), and a list of events that change the scene. A motor shakes a sieve of 20 kg, held by a
+   spring and a damper, with a force of up to 60 N. From t = 4 s on, 2 kg of gravel per second fall straight down into the sieve,
+   until the sieve holds 20 kg of gravel; equation (175) describes this motion. As the mass grows, the natural frequency of the
+   sieve falls. When this frequency passes the frequency of the motor, there is resonance.
 
    cc -O2 03_sieve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
 #include "../../varmass.h"
-
 int main(int argc, char **argv)
 {
     FILE *csv = argc > 1 ? fopen(argv[1], "w") : NULL;

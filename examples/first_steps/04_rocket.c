@@ -1,11 +1,11 @@
-/* A rocket rises. A rocket of mass M and velocity v = x' loses gas at the rate M' = -5 kg/s: M x'' = -M g + M' (u - v), (175),
-   (176). The gas has the velocity u - v = -2000 m/s relative to the rocket, so that the thrust M' (u - v) is upward. The
-   integrator also finds the time at which the fuel ends. The program compares v at 60 s with Tsiolkovsky's formula minus g t.
+/* A rocket rises. A rocket of mass M and velocity v = x' loses gas at the rate M' = -5 kg/s. By equations (175) and (176), M
+   x'' = -M g + M' (u - v), where u is the velocity of the gas. Here u - v is -2000 m/s, so that the thrust M' (u - v) is upward.
+   The integrator also finds the time at which the fuel is used up. The program compares v at 60 s with Tsiolkovsky's formula,
+   from which it subtracts g t for the weight.
 
    cc -O2 04_rocket.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
 #include "../../varmass.h"
-
 static int weight(vm_real t, const vm_real *y, vm_flow1 *rocket)
 {
     (void)t;

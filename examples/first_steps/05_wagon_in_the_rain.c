@@ -1,9 +1,10 @@
-/* A wagon in the rain. The wagon rolls without friction, and rain falls straight down into it. The rain has no velocity
-   along the rail, so that the momentum M v of the wagon stays the same, and v falls as the mass M grows. (In equations
-   (151) and (170) of the dissertation this means u = 0, where u is the velocity of the mass that joins.) Then the rain
-   stops and the wagon leaks. The water leaves with the wagon's velocity, so that v stays the same. The classic mistake
-   is to say that M v also stays the same while the wagon leaks, so that v must grow again. Who says so forgets the
-   momentum of the water that leaves. Levi-Civita's form in the output is the equation (M v)' = 0.
+/* A wagon in the rain. A wagon rolls along a rail without friction, and rain falls straight down into the wagon. The rain has no
+   velocity along the rail, so that the momentum M v of the wagon stays the same, and its velocity v falls as the mass M grows. In
+   equations (151) and (170) of the dissertation, the velocity u of the mass that joins is 0 for this rain. After 60 s the rain
+   stops, and the wagon begins to leak. The water leaves with the velocity of the wagon, so that the velocity v of the wagon stays
+   the same. The classic mistake is to think that the momentum M v also stays the same while the wagon leaks, so that v would grow
+   again. In fact the water that leaks out takes momentum away. In the output, "Levi-Civita's form" means the equation (M v)' = 0,
+   which gives the velocity after the rain.
 
    cc -O2 05_wagon_in_the_rain.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,12 +1,12 @@
-/* A satellite throws off a panel. The satellite turns about the axis of the middle one of its three moments of inertia. This
-   rotation is unstable: the satellite tumbles again and again. At t = 250 s it throws off a panel; (15), (24), (34) give the new
-   motion. Now this axis has the largest moment of inertia, and the satellite only wobbles. Before and after this the satellite
-   turns freely. Therefore vm_torque_free_attitude gives attitude and angular velocity at any time without integration.
+/* A satellite throws off a panel. A satellite turns about the axis of the middle one of its three moments of inertia. This
+   rotation is unstable: the satellite tumbles again and again. At t = 250 s the satellite throws off a panel; the equations (15),
+   (24) and (34) give the motion after this. Without the panel, the moment of inertia about the same axis is the largest of the
+   three, and the satellite only wobbles. Before and after the separation no torque acts on the satellite. Therefore the function
+   vm_torque_free_attitude computes the satellite's attitude and angular velocity at any time without integration.
 
    cc -O2 10_satellite.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
 #include "../../varmass.h"
-
 /* Converts the vector a from body axes to inertial axes: q a q* with |q| = 1 */
 static vm_vec3 turned(vm_quat q, vm_vec3 a)
 {

@@ -1,5 +1,5 @@
-/* A sounding rocket in two stages. Two motors drive the rocket straight up, one after the other. At the top it opens a
-   parachute. The function drag computes the force of the air; the air's density falls to 37 % every 8 km.
+/* A sounding rocket in two stages. Two motors, one after the other, drive a rocket straight up. At its highest point, the apogee,
+   the rocket opens a parachute. The function drag computes the force of the air, whose density falls to 37 % every 8 km upwards.
 
    cc -O2 13_sounding_rocket.c -lm && ./a.out [file.csv] */
 #include <math.h>

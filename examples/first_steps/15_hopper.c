@@ -1,9 +1,9 @@
-/* A hopper fills a bag by its own scale. A hopper (a funnel) with 500 kg of grain hangs on a spring, which is its
-   scale. The grain flows into a bag through two gates, a coarse one and a fine one. When the scale shows that 45 kg
-   have left, the coarse gate shuts. When the scale shows 50 kg, the fine gate shuts and the run ends. The grain leaves
-   with the velocity of the hopper, so that there is no reactive force, (166). The hopper swings up and down. Therefore
-   the scale shows a little more or less than the mass that has left, and the bag does not get exactly 50 kg. The
-   program tries three fine gates; the gate with the largest flow makes the largest error.
+/* A hopper fills a bag by its own scale. A hopper (a funnel) with 500 kg of grain hangs on a spring, which serves as its scale.
+   The grain flows into a bag through two gates, a coarse one and a fine one. When the scale shows that 45 kg of grain have left,
+   the coarse gate shuts. When the scale shows that 50 kg have left, the fine gate shuts, too, and the computation ends. The grain
+   leaves with the velocity of the hopper, so that no reactive force acts on the hopper (equation (166)). While grain leaves, the
+   hopper swings up and down on its spring. Therefore the scale shows a little more or less than the mass that has left, and the
+   bag does not get exactly 50 kg. The program compares three fine gates; the gate with the largest flow makes the largest error.
 
    cc -O2 15_hopper.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,6 +1,6 @@
-/* A satellite whose tank is filled in orbit. The satellite turns about the axis of its tank with a little wobble, while 300
-   kg of liquid flow into the tank along this axis. The function vm_supply_at computes level, mass centre and inertia of the
-   liquid. The liquid was at rest and brings no angular momentum. Therefore the satellite turns more slowly in the end.
+/* A satellite whose tank is filled in orbit. A satellite turns, with a little wobble, about the axis of its tank, while 300 kg of
+   liquid flow into the tank along this axis. The function vm_supply_at computes the level, the mass centre and the inertia of the
+   liquid. The liquid was at rest before and brings no angular momentum; therefore the satellite turns more slowly in the end.
 
    cc -O2 17_filling_tank.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,12 +1,12 @@
-/* A motion as plain data. A bucket of sand rolls on a level floor. A cubic spring holds the bucket, and the sand leaks
-   out. The equation of motion m x'' + k x^3 = 0 has no exact solution x(t), because m changes. Therefore the program
-   uses a law, which is an approximate formula for x. A struct of the type vm_osc_closed stores a law of order 2, 3, 4
-   or 5 as plain numbers; a higher order is more accurate. The function vm_osc_closed_init computes these numbers once,
-   on a PC or on a microcontroller. Then vm_osc_closed_at computes x and the velocity v at any time, and takes the same
-   time for each call. The field `error` of the struct estimates the error of x for all times from 0 to the last
-   argument of vm_osc_closed_init. A microcontroller may store the law as a constant in flash; examples/print_plan.c
-   prints such constants. For each order, docs/firmware.md lists the flash, the stack and the number of instructions of
-   a call.
+/* A motion as plain data. A bucket of sand rolls on a level floor. A cubic spring holds the bucket, and the sand leaks out. There
+   is no exact formula for the solution x(t) of the equation of motion m x'' + k x^3 = 0, because the mass m changes. Therefore
+   the program uses an approximate formula for x(t), which is called a law. The order of a law is 2, 3, 4 or 5; a law of higher
+   order is more accurate. A struct of the type vm_osc_closed stores the numbers of a law. The function vm_osc_closed_init
+   computes these numbers once, on a PC or on a microcontroller. From these numbers vm_osc_closed_at computes the position x and
+   the velocity v, in the same computing time for every time t. The field `error` of the struct is the estimated largest error of
+   x, divided by the amplitude, between t = 0 and the last argument of vm_osc_closed_init. A microcontroller can store the struct
+   as a constant in flash memory; the program examples/print_plan.c prints such constants. For one call of vm_osc_closed_at,
+   docs/firmware.md lists the flash and stack memory and the number of instructions.
 
    cc -O2 18_law_as_data.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,10 +1,10 @@
-/* Two coupled buckets. Two equal buckets of sand roll on a level floor. Each bucket is held by a spring of its own, and
-   a weak spring of 0.01 N/m joins the buckets. Both lose sand at the same rate. The buckets start in phase, with the
-   amplitudes 1 m and 0.5 m. If the springs are linear, the buckets exchange their amplitudes, and later exchange them
-   again. If the force of each spring is x^3, the buckets do not exchange them: the bucket with the larger amplitude
-   vibrates faster, so that the buckets soon vibrate out of phase. Averaged equations give the amplitudes and the
-   phases. For comparison the program also integrates the equation of motion. The field `vibrations` gives the ratio of
-   the two frequencies, here 1 to 1; another ratio, such as 1 to 3, is possible, too.
+/* Two coupled buckets. Two equal buckets of sand roll on a level floor. Each bucket is held by its own spring, and a weak spring
+   of 0.01 N/m connects the two buckets. Both buckets lose sand at the same rate. The buckets start in phase, with the amplitudes
+   1 m and 0.5 m. If the springs are linear, the buckets exchange their amplitudes again and again. If the force of each bucket's
+   own spring is x^3, the amplitudes are not exchanged: the bucket with the larger amplitude vibrates faster, so that the two
+   buckets are soon out of phase. The program computes amplitudes and phases by averaged equations, and for comparison also by
+   integration of the equations of motion. The field `vibrations` sets the ratio of the two frequencies, here 1 to 1; another
+   ratio, such as 1 to 3, is possible, too.
 
    cc -O2 19_two_coupled_buckets.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,13 +1,13 @@
 /* A force that is not harmonic. A valve pushes and pulls a piston of 1 kg with a periodic force of up to 0.01 N. The frequency of
-   this force is nu, and 16 samples give its shape. A spring with the force x^3 holds the piston. If the piston vibrates once in a
-   period of the valve, the first harmonic of the valve's force drives it; if it vibrates three times, the third harmonic drives
-   it. The program computes the mean amplitude A of the steady vibration, without integration. For comparison it also integrates
-   over 100 periods, and then prints the amplitude. The figure shows two more periods of the last vibration in the output.
+   this force is nu, and 16 values describe the force within one period. A spring with the force x^3 holds the piston. If the
+   piston vibrates once in a period of the force, the first harmonic of the force drives the piston; if the piston vibrates three
+   times in a period, the third harmonic drives it. The program computes the mean amplitude A of the steady vibration of the
+   piston, without integration. The column "by integration" gives the amplitude after an integration over 100 periods of the
+   force. The figure shows the next two periods of the vibration in the last row of the output.
 
    cc -O2 20_valve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>
 #include "../../varmass.h"
-
 static int valve(vm_periodic *p, double nu, int vibrations)
 {
     static const vm_real samples[16] = {0, 0.7, 1, 1, 1, 1, 1, 0.7, 0, -0.7, -1, -1, -1, -1, -1, -0.7};

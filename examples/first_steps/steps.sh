@@ -7,13 +7,13 @@ mkdir -p "$build" || exit 1
 {
     echo '# First steps'
     echo
-    echo 'The command `make first-steps` writes this page: it builds and runs the programs, and draws their figures.'
+    echo 'The command `make first-steps` writes this page: it builds and runs short example programs, and draws a figure for each program.'
     echo
-    echo "Each section shows one of $(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines: what it is about, what it prints, and its figure. The comment"
-    echo "at the top of a program has the command that builds it. A number in round brackets, such as (325), is the number of an equation"
-    echo "in L. Cveticanin's dissertation *Dynamics of Mass Variable System*. Names that begin with vm_ are functions and structs of"
-    echo "varmass.h. In formulas a prime means d/dt. In the output, an evaluation is one call of the function that computes the"
-    echo "derivatives."
+    echo "Each section describes one of $(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines, and shows what the program prints and its figure. The comment"
+    echo "at the top of a program contains the command that compiles it. A number in round brackets, such as (325), is the number of an"
+    echo "equation in Cveticanin's dissertation *Dynamics of Mass Variable System*. Names that begin with vm_ are functions and structs of"
+    echo "the header varmass.h. In formulas a prime means d/dt, the derivative with respect to the time t. If the output of a program counts"
+    echo "evaluations, an evaluation is one call of the function that computes the derivatives for an integrator."
 } >"$doc"
 for source in examples/first_steps/*.c; do
     name=$(basename "$source" .c)
@@ -23,7 +23,7 @@ for source in examples/first_steps/*.c; do
     {
         printf '\n## %s\n\n' "$title"
         awk 'NR == 1 {sub("^/\\* [^.]*\\. ", "")} /^$/ {exit} {sub("^   ", ""); print}' "$source" | sed "s/\*/\\\\*/g"
-        printf '\n[%s](../%s) prints\n\n' "$(basename "$source")" "$source"
+        printf '\nThe program [%s](../%s) prints this:\n\n' "$(basename "$source")" "$source"
         sed 's/^/    /' "$build/$name.txt"
         printf '\n![%s](figures/first_steps/%s.svg)\n' "$title" "$name"
     } >>"$doc"
