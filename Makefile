@@ -206,16 +206,9 @@ test-cross:
 	sh tests/cross.sh build docs/cross.md $(TESTS)
 	@$(STAMP) cross
 
-# the golden program on a graphics processor, a single thread of it, and examples/cuda; nvcc takes twenty minutes
+# the golden program on a graphics processor; nvcc takes ten minutes
 test-gpu:
-	@mkdir -p build && $(IN_BUILD)
-	for precision in "" -DVM_USE_FLOAT; do \
-	    nvcc -std=c++17 -O1 -fmad=false -diag-suppress 20011 $$precision tests/golden.cu -o build/golden_gpu && ./build/golden_gpu || exit 1; \
-	    done >build/golden_gpu.txt
-	diff tests/data/golden.txt build/golden_gpu.txt
-	for precision in "" -DVM_USE_FLOAT; do \
-	    nvcc -std=c++14 -O3 -fmad=false $$precision -I. examples/cuda/oscillators.cu -o build/oscillators_gpu && ./build/oscillators_gpu || exit 1; \
-	    done
+	sh tests/gpu.sh build
 
 # a bounded time of fuzzing, all targets together; then errors that are planted must be found
 SECONDS = 240

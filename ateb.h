@@ -2430,7 +2430,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 /* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL, else 0. If it is 1, an integrator keeps a state
    of n components in local arrays, which is faster; if it is 0, it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
-#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
 #else
 #define VMI_IS_SMALL(n) 0

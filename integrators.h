@@ -542,7 +542,7 @@ VM_API int vmi_all_finite(int n, const vm_real *y)
 /* VMI_IS_SMALL(n) is 1 where the compiler knows n and n <= VMI_SMALL, else 0. If it is 1, an integrator keeps a state
    of n components in local arrays, which is faster; if it is 0, it keeps the state in the caller's array `work`. */
 #define VMI_SMALL 8
-#if defined(__GNUC__) && defined(__OPTIMIZE__)
+#if defined(__GNUC__) && defined(__OPTIMIZE__) && !defined(__CUDACC__)
 #define VMI_IS_SMALL(n) (__builtin_constant_p(n) && (n) <= VMI_SMALL)
 #else
 #define VMI_IS_SMALL(n) 0
@@ -3304,7 +3304,7 @@ VM_API int vmi_save(const rk45 *s, int method, long size, unsigned char *bytes)
 VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes)
 {
     vmi_saved_place place;
-    int wanted[VMI_SAVED_HEAD], head[VMI_SAVED_HEAD] = {0};
+    int wanted[VMI_SAVED_HEAD], head[VMI_SAVED_HEAD] = {0}, i;
     uint32_t sum = 0;
     long before; /* number of bytes before the checksum */
     if (!s || !bytes || size < 0 || s->pair.method != method) return ODE_BAD_ARGUMENT;
@@ -3318,7 +3318,8 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
     vmi_saved_head(s, wanted);
     place.from = bytes;
     vmi_saved_move_head(&place, head);
-    if (memcmp(head, wanted, sizeof head) != 0) return ODE_BAD_ARGUMENT;
+    for (i = 0; i < VMI_SAVED_HEAD; i++)
+        if (head[i] != wanted[i]) return ODE_BAD_ARGUMENT;
     vmi_saved_move_run(&place, s);
     return ODE_OK;
 }

@@ -14,7 +14,9 @@ begins='The results on this page were obtained with the headers '
 earlier='The results on this page were obtained with earlier headers'
 how='(bench/stamp.sh computes the hashes)'
 
-bare() { # a header without comments and blanks; no string of the headers has the marks of a comment
+# A header without comments, blanks and the conditions for CUDA's compiler, with which no number of a document is measured. No
+# string of the headers has the marks of a comment.
+bare() {
     awk '{
             line = $0
             while (line != "") {
@@ -27,7 +29,7 @@ bare() { # a header without comments and blanks; no string of the headers has th
                 line = substr(line, at + 2)
                 inside = !inside
             }
-        }' "$1" | tr -d ' \t\r\n'
+        }' "$1" | tr -d ' \t\r\n' | sed 's/&&!defined(__CUDACC__)//g'
 }
 of() {
     for header in "$@"; do

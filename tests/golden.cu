@@ -1,5 +1,5 @@
-/* The golden program on a graphics processor: one thread calls every public function of the four headers, and prints the lines
-   of tests/golden.c. `make test-gpu` compares them with tests/data/golden.txt. The compilation takes about ten minutes. */
+/* The golden program on a graphics processor: a single thread calls the public functions of the section GOLDEN_SECTION of
+   tests/golden.c, and prints its line. tests/gpu.sh runs it, a section at a time, since nvcc needs much longer for all at once. */
 #define VM_API static __noinline__ __host__ __device__
 #include "../varmass.h"
 #include <cstdio>

@@ -272,7 +272,10 @@ static int periodic_curve(trial *a)
 {
     const vm_periodic p = next_periodic(a);
     const vm_real t = next(a);
-    return vm_periodic_curve(POINTER(0, &p), t, next(a), OUT(1, vm_steady_state, 0));
+    const int status = vm_periodic_curve(POINTER(0, &p), t, next(a), OUT(1, vm_steady_state, 0));
+    const size_t numbers = offsetof(vm_steady_state, stable); /* an int and unused bytes follow, which are no numbers */
+    if (status >= 0) memset(a->output + numbers, STAIN, sizeof(vm_steady_state) - numbers);
+    return status;
 }
 
 static int periodic_split(trial *a)

@@ -233,7 +233,7 @@ VM_API int vmi_save(const rk45 *s, int method, long size, unsigned char *bytes)
 VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes)
 {
     vmi_saved_place place;
-    int wanted[VMI_SAVED_HEAD], head[VMI_SAVED_HEAD] = {0};
+    int wanted[VMI_SAVED_HEAD], head[VMI_SAVED_HEAD] = {0}, i;
     uint32_t sum = 0;
     long before; /* number of bytes before the checksum */
     if (!s || !bytes || size < 0 || s->pair.method != method) return ODE_BAD_ARGUMENT;
@@ -247,7 +247,8 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
     vmi_saved_head(s, wanted);
     place.from = bytes;
     vmi_saved_move_head(&place, head);
-    if (memcmp(head, wanted, sizeof head) != 0) return ODE_BAD_ARGUMENT;
+    for (i = 0; i < VMI_SAVED_HEAD; i++)
+        if (head[i] != wanted[i]) return ODE_BAD_ARGUMENT;
     vmi_saved_move_run(&place, s);
     return ODE_OK;
 }

@@ -36,8 +36,8 @@
    not change them.
    The next comment has the equations (A) and (B).
 
-   Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 12 eps (rad) and that
-   of omega at most 8 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
+   Accuracy, for inputs taken as exact and up to 1e6 turns: the error of the attitude is at most 8 eps (rad) and that
+   of omega at most 5 eps |omega|. This holds also close to the separatrix (1 - m from 1e-2 to 1e-27, where m is the
    parameter of sn, cn, dn), for nearly equal moments, and with products of inertia. An error of eps in an input changes
    the attitude by eps times the angle through which the body has turned. Close to the separatrix an input error
    changes the attitude by more, because it shifts the time of every flip of the body. (Close to the separatrix a body
