@@ -6,10 +6,11 @@ index or a count, or swaps the alternatives of a conditional. Lines are drawn fr
 the map that coverage.py leaves (lines that have moved since are found by their text), each of a header with the same
 chance. The programs that execute the line are built and run one by one, those in double first, then those in float,
 the header's own and the quickest first, and last those that take SLOW seconds, until one fails, ends with a signal or
-needs four times its time. tcc, where it is there, makes this a matter of seconds; since some lines are compiled by gcc
-only, what passes is then tried by gcc. Where all pass, MANY of each precision and the slow ones, the mutant has
-survived and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with
-its reason to tests/mutants.txt, whose mutants count neither as caught nor as missed.
+needs four times its time. tcc, where it is there, makes this a matter of seconds; since some lines are compiled by
+gcc only, what passes is then tried by gcc, and the header's own programs by gcc as make test-all compiles the
+headers, which are then vectorised. Where all pass, MANY of each precision and the slow ones, the mutant has survived
+and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with its
+reason to tests/mutants.txt, whose mutants count neither as caught nor as missed.
 
 A file of src/ that is copied into several headers belongs to the first of them (rooms.py); the mutant is in all copies.
 
@@ -36,6 +37,7 @@ from rooms import HEADERS, code_of, owners
 MANY = 10
 SLOW = 6 # seconds
 TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc', '-O1'] # the one compiles in no time, the other takes everything
+FAST = ['gcc', '-O3', '-march=native', '-ffp-contract=fast']
 LEAST = 90.0
 WORKERS = int(os.environ.get('JOBS', os.cpu_count()))
 DECLARED = re.compile(r'\s*(?:const |VM_TABLE )*(?!return\b|else\b|case\b)\w+ [^=({]*\[') # a longer array is as good
@@ -105,10 +107,11 @@ def write(folder, headers):
 COMPILERS = {}
 
 
-def compiler_of(folder, name, seconds, by_gcc):
-    """The first one by which the program compiles and passes, with the headers as they are; four times as long."""
-    tcc = not by_gcc and shutil.which(TCC[0]) and seconds < SLOW and not name.endswith('_contracted')
-    for compiler in (TCC, GCC) if tcc else (GCC,):
+def compiler_of(folder, name, seconds, last):
+    """The first one by which the program compiles and passes, with the headers as they are, of TCC, GCC, or only `last` if
+    it is given; four times as long."""
+    tcc = last is None and shutil.which(TCC[0]) and seconds < SLOW and not name.endswith('_contracted')
+    for compiler in (TCC, GCC) if tcc else (last or GCC,):
         if built(folder, name, compiler):
             before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
             if passes(folder, 600):
@@ -116,15 +119,16 @@ def compiler_of(folder, name, seconds, by_gcc):
     sys.exit(f'{name} fails without a mutant')
 
 
-def judge(folder, right, wrong, programs, seconds):
+def judge(folder, right, wrong, programs, own, seconds):
     """'caught', 'stillborn' (does not compile), or 'survived', of the headers wrong, {header: lines}; the headers right
-    are put back afterwards."""
-    for name, by_gcc in [(name, False) for name in programs] + [(name, True) for name in programs]:
-        if by_gcc and COMPILERS[name, False][0] is GCC: # it has been tried
+    are put back afterwards. The programs `own` are tried once more by FAST."""
+    tries = [(name, by) for by in (None, 'gcc') for name in programs] + [(name, 'fast') for name in own]
+    for name, by in tries:
+        if by == 'gcc' and COMPILERS[name, None][0] is GCC: # it has been tried
             continue
-        if (name, by_gcc) not in COMPILERS:
-            COMPILERS[name, by_gcc] = compiler_of(folder, name, seconds[name], by_gcc)
-        compiler, limit = COMPILERS[name, by_gcc]
+        if (name, by) not in COMPILERS:
+            COMPILERS[name, by] = compiler_of(folder, name, seconds[name], {None: None, 'gcc': GCC, 'fast': FAST}[by])
+        compiler, limit = COMPILERS[name, by]
         write(folder, wrong)
         is_built = built(folder, name, compiler)
         is_right = is_built and passes(folder, limit)
@@ -189,7 +193,7 @@ def controls(folders, chosen, sources, programs, seconds):
         lines_of = Counter(name for names in programs[header].values() for name in names
                            if seconds[name] < SLOW and not flags_of(name))
         program = lines_of.most_common(1)[0][0]
-        verdicts = [in_copy(folders, judge, sources, headers, [program], seconds) for headers in (sources, wrong)]
+        verdicts = [in_copy(folders, judge, sources, headers, [program], [], seconds) for headers in (sources, wrong)]
         if verdicts != ['survived', 'caught']:
             sys.exit(f'{header}.h: the controls are not as they must be: {verdicts}')
 
@@ -238,8 +242,10 @@ def main():
             wrong = {header: list(lines) for header, lines in sources.items()}
             for copy, place in copies[header, line]:
                 wrong[copy][place - 1] = text
-            return in_copy(folders, judge, sources, wrong, in_order(header, executed[header][line], known['seconds']),
-                           known['seconds']), mutant, text
+            names = executed[header][line]
+            programs = in_order(header, names, known['seconds'])
+            own = [name for name in programs if is_own(header, name) and not flags_of(name)][:2]
+            return in_copy(folders, judge, sources, wrong, programs, own, known['seconds']), mutant, text
 
         verdicts = {header: Counter() for header in chosen}
         for k, (verdict, (header, line, kind, *_), text) in enumerate(pool.map(verdict_of, mutants), 1):

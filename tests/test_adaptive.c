@@ -290,6 +290,65 @@ static void test_unresolvable_jumps(void)
     }
 }
 
+/* The derivative of each stage counts in the mean of the smallest and the largest one, whichever stage it belongs to. */
+static void test_middle_slope(void)
+{
+    enum { STAGES = 7 };
+    vm_real w[VMI_K + STAGES];
+    vmi_rk_system sys;
+    int extreme, i;
+    memset(&sys, 0, sizeof sys);
+    sys.n = 1;
+    sys.m = 1;
+    sys.w = w;
+    for (extreme = 0; extreme < STAGES; extreme++) {
+        for (i = 0; i < VMI_K + STAGES; i++) w[i] = 1;
+        w[VMI_K + extreme] = 5;
+        vmi_take_middle_slope(STAGES, sys, R(0.5));
+        CHECK(w[VMI_Z] == R(2.5)); /* 1 + 0.5 * (1 + 5)/2 */
+        w[VMI_K + extreme] = -3;
+        vmi_take_middle_slope(STAGES, sys, R(0.5));
+        CHECK(w[VMI_Z] == R(0.5));
+    }
+}
+
+/* An event's function that is NaN once, at its first call after the jump */
+typedef struct spoiled_jump {
+    jump j; /* first, for jump_rhs */
+    int calls;
+} spoiled_jump;
+
+static vm_real nan_after_jump(vm_real t, const vm_real *y, void *ctx)
+{
+    spoiled_jump *s = (spoiled_jump *)ctx;
+    (void)y;
+    if (t > s->j.from && ++s->calls == 1) return VM_NAN;
+    return t + 10;
+}
+
+/* A step of the smallest size over a jump is taken back where the event's function fails, and is counted once although it is
+   made twice. */
+static void test_missed_step_taken_back(void)
+{
+    int i;
+    for (i = 0; i < METHODS; i++) {
+        spoiled_jump spoiled = {{1, 100, -1000}, 0};
+        vm_real y0[1] = {0}, work[RK87_WORK(1)];
+        rk45_options o = {0};
+        ode_event event;
+        rk45 s;
+        memset(&event, 0, sizeof event);
+        event.g = nan_after_jump;
+        event.ctx = &spoiled;
+        o.atol = VM_EPSILON;
+        o.events = &event;
+        o.n_events = 1;
+        CHECK(methods[i].init(&s, jump_rhs, &spoiled, 1, 0, y0, &o, work) == ODE_OK);
+        CHECK(methods[i].solve(&s, 2) == ODE_NOT_FINITE && s.missed == 0 && s.t <= 1);
+        CHECK(methods[i].solve(&s, 2) == ODE_OK && s.t == 2 && s.missed == 1);
+    }
+}
+
 /* y' is 1 up to y = 1/2, and *ctx beyond */
 static int threshold_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -766,6 +825,8 @@ int main(void)
     test_power();
     test_clock();
     test_unresolvable_jumps();
+    test_middle_slope();
+    test_missed_step_taken_back();
     test_thresholds();
     test_least_step();
     test_intervals_of_few_ulps();

@@ -365,6 +365,25 @@ static void test_zero_of_large_alpha(void)
     check_error("ca", "s near 53 Pi/2", "ulp", ERROR_ULP(ca, 2.3980420430227674508e-9, 0), 1, (double)s, (double)alpha);
 }
 
+/* Next to its largest value, sa is 1 - X/2 - X^2/8 ... with X = ca^(alpha+1). Where X is as small as a few roundings of 1, the
+   error of sa is at most 1 ulp. */
+static void test_sa_next_to_1(void)
+{
+    const double farthest = VM_MANT_DIG > 24 ? 40 : 12; /* X is from 2^-farthest down to 2^-(farthest + 20) */
+    double worst = 0, X;
+    int i, k;
+    for (i = 0; i <= 80; i++) {
+        const vm_real alpha = (vm_real)(i * 0.25), half = ateb_pi(alpha) / 2;
+        vm_real sa, ca;
+        for (k = 0; k < 200; k++) {
+            ateb_saca(half - (vm_real)pow(2, -(farthest + k * 0.1) / (1 + (double)alpha)), alpha, &sa, &ca);
+            X = pow((double)ca, 1 + (double)alpha);
+            worst = fmax(worst, fabs((double)sa - 1 + X / 2 + X * X / 8) / ((double)VM_EPSILON / 2));
+        }
+    }
+    check_error("sa", "next to 1", "ulp", worst, 1, 0, 0);
+}
+
 /* The limits, which are approached as alpha or 1/alpha: parabolas, and tanh; and no alpha differs from its
    neighbours, be it one of closed forms or of plans without a power. An eps of alpha moves Pi by less than one. */
 static void test_limits(void)
@@ -923,6 +942,7 @@ int main(void)
     test_closed_forms();
     test_zeros_of_triangles();
     test_zero_of_large_alpha();
+    test_sa_next_to_1();
     test_limits();
     test_domain();
     test_plan();

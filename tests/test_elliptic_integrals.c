@@ -310,6 +310,18 @@ static void test_zeros_and_seams(void)
           jacobi_F(-R(1.6), 1) == -VM_INFINITY);
 }
 
+/* Pi(n | m) from m and from m1 = 1 - m is the same where 1 - m has no rounding error, for n on each side of the pole. */
+static void test_complete_from_m1(void)
+{
+    static const double ns[] = {-1e6, -2, -0.125, 0, 0.25, 0.875, 1.0625, 1.5, 3, 100, 1e6};
+    static const double m1s[] = {0.0625, 0.25, 0.5, 0.75, 1, 1.5, 2, 5, 64};
+    int i, k;
+    for (i = 0; i < (int)(sizeof ns / sizeof *ns); i++) {
+        for (k = 0; k < (int)(sizeof m1s / sizeof *m1s); k++)
+            CHECK(jacobi_Pi_m1(R(ns[i]), R(m1s[k])) == jacobi_Pi(R(ns[i]), 1 - R(m1s[k])));
+    }
+}
+
 /* ---- Limits at infinity, and what is outside the domain ---- */
 
 static int is_nan(vm_real x) { return x != x; }
@@ -473,6 +485,7 @@ int main(void)
     test_periods();
     test_symmetric();
     test_zeros_and_seams();
+    test_complete_from_m1();
     test_limits();
     test_quotients();
     test_domain();

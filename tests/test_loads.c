@@ -276,6 +276,8 @@ static void test_ratio_integral_cases(void)
     CHECK(vm_law_ratio_integral(&one, NULL, 1, &integral) == VM_BAD_ARGUMENT);
     CHECK(vm_law_ratio_integral(&one, &one, 1, NULL) == VM_BAD_ARGUMENT);
     CHECK(vm_law_ratio_integral(&none, &one, 1, &integral) == VM_BAD_ARGUMENT);
+    CHECK(vm_law_ratio_integral(&none, &one, VM_NAN, &integral) == VM_BAD_ARGUMENT);
+    CHECK(vm_law_ratio_integral(&one, &none, VM_NAN, &integral) == VM_BAD_ARGUMENT);
     CHECK(vm_law_ratio_integral(&one, &zero, 1, &integral) == VM_BAD_MASS);
     CHECK(vm_law_ratio_integral(&one, &one, VM_INFINITY, &integral) == VM_NOT_FINITE);
     CHECK(vm_law_ratio_integral(&table, &one, 8, &integral) == VM_DOMAIN && integral == 7);
