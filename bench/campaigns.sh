@@ -70,7 +70,8 @@ with which version of the kit's headers it ran, and what it printed at its end. 
 each with its stamp. A stamp is a hash, a number that bench/stamp.sh computes from the code of a header and that changes
 if the code changes. If the stamps of a row are not those of today's headers, the campaign ran with earlier headers. The
 command `make campaigns` runs all campaigns. The command `make campaigns CAMPAIGNS="scan proof"` runs only the two
-campaigns "scan" and "proof". [reliability.md](reliability.md) says which errors the campaigns found.
+campaigns "scan" and "proof". [reliability.md](reliability.md) and [fuzzing.md](fuzzing.md) say which errors the
+campaigns found.
 
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|

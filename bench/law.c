@@ -301,8 +301,9 @@ static void print_reports(int n)
     for (i = 0; i < n; i++)
         if (random_error[ORDERS - 1][i] > bound) add_report(&problems[i], length / rate, bound, &r);
     printf("\nIn %d of the random problems the error of the law of order 5 is above 1e-9. In %d of these problems the\n"
-           "estimate of the error is much too small: below 1e-9/3 at a time when the true error is above 1e-9. If the tolerance is\n"
-           "1e-9, `vm_osc_plan_within` integrates these problems by collocation, and the largest error of its results is %.1e.\n",
+           "estimate of the error (section 6) is much too small: below 1e-9/3 at a time when the true error is above 1e-9. If the\n"
+           "tolerance is 1e-9, the function `vm_osc_plan_within`, which chooses the route, integrates these problems by collocation,\n"
+           "and the largest error of its results is %.1e.\n",
            r.above, r.silent, r.within);
 }
 

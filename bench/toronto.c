@@ -198,7 +198,7 @@ static int print_markdown(const char *name)
          "equations of second order. In the problems of class F, the right-hand side of the differential equation\n"
          "is not smooth: it jumps, or its slope jumps or is infinite.\n"
          "\n"
-         "Each cell of the two tables contains two numbers: the error of the solution and, after the slash, the\n"
+         "Each cell of both tables below contains two numbers: the error of the solution and, after the slash, the\n"
          "number of evaluations of the right-hand side. The number of evaluations measures how much the integrator\n"
          "has to compute. The number at the top of a column is the tolerance, that is, the relative and absolute\n"
          "error that the integrator may make in one step. For each component y of the solution, the error at t = 20\n"
@@ -214,8 +214,8 @@ static int print_markdown(const char *name)
          "bench/toronto_before.csv. DOP853 is not a part of varmass but an integrator for comparison. DOP853 is the\n"
          "Runge-Kutta method of order 8 by Dormand and Prince, with Hairer's error estimate and the step size\n"
          "control of SciPy's function `solve_ivp` (bench/dop853.h). In class F, the error depends on where in a\n"
-         "step the right-hand side jumps, and this place is a matter of chance. So a single cell of class F tells\n"
-         "little; compare whole rows instead.\n"
+         "step the right-hand side is not smooth, and this place is a matter of chance. So a single cell of class F\n"
+         "tells little; compare whole rows instead.\n"
          "\n"
          "## Classes: geometric mean of the errors / sum of the evaluations");
     print_head("class");

@@ -32,29 +32,31 @@ write() {
 A hard case is a set of arguments at which a usual formula goes wrong: the result of the formula has few correct digits or is no
 number. Some of these formulas are from textbooks, and some are from the dissertation whose equations the kit uses
 ([glossary.md](glossary.md)). The command `make hard-cases` writes this page from the output of tests/test_hard.c. In each table,
-the first column says what is computed and why the usual formula goes wrong. The columns "error" and "naive" say by how much a
-result differs from the true value, which was computed in arbitrary precision (tests/gen/hard_reference.py).
+the first column says what is computed and why the usual formula goes wrong. The columns "error" and "naive" say by how much the
+result of the kit and the result of the usual formula differ from the true value, which was computed in arbitrary precision
+(tests/gen/hard_reference.py). The first three of the columns "error", "bound" and "naive" are for double, the last three for
+float.
 
-- The column "kernel" names two functions in the folder tests/hard/ that compute the same quantity. For example, C2 stands for
-  `C2_ours`, which calls a function of the headers, and for `C2_naive`, which uses the naive formula (the formula that goes
-  wrong). The column "at" has the arguments of both functions. Arguments that this column does not show are zero.
-- If the text of the first column gives the value of an argument, this is the value in double; the test in float may use another
-  value, which the column "at" then shows after "float:". A number in brackets, such as (482), is the number of an equation of the
-  dissertation on which the kit is based. In the first column, a difference "cancels" if nearly equal numbers are subtracted, so
-  that mainly their rounding errors are left. The words "small" and "next to" and the sign "->" mean that an argument is close to
-  a special value, for example to 0.
-- The column "error" has the error of the function of the headers, and the column "naive" has the error of the naive formula in
-  the same precision. The words "no number" mean that the naive formula gives infinity or NaN, or divides by zero. The unit of
-  both errors is eps times the true value, or eps times a typical size of the result, such as the largest value of an oscillation.
-  The number eps is 2.2e-16 in double and 1.2e-7 in float.
-- The column "bound" has the largest error of the function of the headers that the test allows. The test also fails if the error
+- The column "kernel" names two test functions in the folder tests/hard/ that compute the quantity of the row. For example, C2
+  stands for `C2_ours`, which calls a function of the kit, and for `C2_naive`, which uses the naive formula (the usual formula,
+  which goes wrong). The column "at" has the arguments of both functions. Arguments that this column does not show are zero.
+- If the text of the first column gives the value of an argument, this is the value in the test in double. The test in float may
+  use other arguments, which the column "at" then shows after "float:". A number in brackets, such as (482), is the number of an
+  equation of the dissertation on which the kit is based. In the first column, a difference "cancels" if nearly equal numbers are
+  subtracted, so that mainly their rounding errors are left. The words "small" and "next to" and the sign "->" mean that an
+  argument is close to a special value, for example to 0.
+- The column "error" has the error of the function of the kit, and the column "naive" has the error of the naive formula in the
+  same precision. The words "no number" mean that the naive formula gives infinity or NaN, or divides by zero. The unit of both
+  errors is eps times the true value, or eps times a typical size of the result, such as the largest value of an oscillation. The
+  number eps is 2.2e-16 in double and 1.2e-7 in float.
+- The column "bound" has the largest error that the test allows the function of the kit to make. The test also fails if the error
   of the naive formula is less than four times this bound, because the naive formula does not go wrong then, and the case is not
   hard.
 - In the tables, K, E, F and Pi are elliptic integrals, sn, cn and dn are elliptic functions of u with the parameter m, and k' is
   sqrt(1 - m). The Ateb functions sa(s) and ca(s) take the place of sine and cosine in oscillations whose elastic force is
   proportional to abs(x)^alpha; x is the deflection. The number `reactive` is a factor of the reactive force, which joining or
   leaving mass exerts on a body: if `reactive` is 1, the full force acts. The other letters of a row are explained in the comment
-  above the function of the headers that is tested.
+  above the function of the kit that is tested; the source in tests/hard/ shows which function this is.
 - In rows on separations, the "part" is what leaves a body, and the "rest" is what remains of the body. The word "spin" stands for
   an angular velocity, and omega_1 is the first component of the angular velocity. The words "by rk4" mean that a motion is
   integrated with fixed steps of the classical Runge-Kutta method.

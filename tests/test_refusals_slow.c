@@ -268,14 +268,19 @@ static vm_periodic next_periodic(trial *a)
 
 #define SHAPE 0, 1, 0, 0, 0, R(0.1), 0, 0, 0, 0, 0, 0, 0, R(0.5), 0, 0, 0, 0, R(0.1), 0
 
+/* Stains the output again where a function has written no vm_real: an int, and the unused bytes after it */
+static int without_rest(trial *a, int status, size_t numbers, size_t size)
+{
+    if (status >= 0) memset(a->output + numbers, STAIN, size - numbers);
+    return status;
+}
+
 static int periodic_curve(trial *a)
 {
     const vm_periodic p = next_periodic(a);
     const vm_real t = next(a);
     const int status = vm_periodic_curve(POINTER(0, &p), t, next(a), OUT(1, vm_steady_state, 0));
-    const size_t numbers = offsetof(vm_steady_state, stable); /* an int and unused bytes follow, which are no numbers */
-    if (status >= 0) memset(a->output + numbers, STAIN, sizeof(vm_steady_state) - numbers);
-    return status;
+    return without_rest(a, status, offsetof(vm_steady_state, stable), sizeof(vm_steady_state));
 }
 
 static int periodic_split(trial *a)
@@ -345,7 +350,9 @@ static int vdp_cycle(trial *a)
     vm_vdp v = next_vdp(a);
     int status;
     status = vm_vdp_init(&v);
-    return status < 0 ? status : vm_vdp_cycle_of(POINTER(0, &v), OUT(1, vm_vdp_cycle, 0));
+    if (status < 0) return status;
+    status = vm_vdp_cycle_of(POINTER(0, &v), OUT(1, vm_vdp_cycle, 0));
+    return without_rest(a, status, offsetof(vm_vdp_cycle, stable), sizeof(vm_vdp_cycle));
 }
 
 static void test_rotors(void)

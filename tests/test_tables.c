@@ -359,9 +359,9 @@ static void table1(void)
         puts("\n## Table 1: nomenclature\n\nIn each row, Table 1 of the dissertation has a label, which says what the "
              "letters of the row mean. But the labels of the second row and of all later rows are printed one row too "
              "high. The table below shows each printed label, the entries beside it, and the label that these entries "
-             "should have. The last column has the values for row T4.1 (row 1 of Table 4), in this order: the whole "
-             "plate, the rest, the part.\n\n| the printed label | entries in its row | their true label | here | "
-             "values |\n|---|---|---|---|---|");
+             "should have. The column \"here\" has the names that the kit uses. The last column has the values for row "
+             "T4.1 (row 1 of Table 4), in this order: the whole plate, the rest, the part.\n\n| the printed label | "
+             "entries in its row | their true label | here | values |\n|---|---|---|---|---|");
     name_row("Mass center", "-, 1, 2", "body (index)", "vm_body whole, rest, part", "");
     name_row("Position of mass center", "S, S_1, S_2", "mass center", "r", "(0, 0) is S");
     name_row("Position vector of mass center", "**SS**_1, **SS**_2", "position of mass center",
@@ -388,28 +388,29 @@ static void table1(void)
 static void print_head(void)
 {
     puts("# Tables 1 to 4 of the dissertation\n\nThis page is written by `make tables` (tests/test_tables.c). `make "
-         "test` checks each of its rows. The dissertation is *Dynamics of Mass Variable System* by Cveticanin. This "
-         "page has every row of the dissertation's Tables 1 to 4, with an example in numbers. Table 5 is printed by "
-         "the program build/examples/table5. [errata.md](errata.md) lists the errors of the dissertation.\n\nIn the "
-         "example of this page, a part separates from a plate. The plate before the separation is called the whole, "
-         "and what remains of the plate is called the rest. The whole has the mass M = 5 kg, the moment of inertia I_S "
-         "= 2 kg m² and its mass centre S at the origin. The part has the mass m = 1 kg and the moment of inertia I_S2 "
-         "= 0.125 kg m², and the vector from S to its mass centre is **SS**_2 = (0.5, 0.25) m. From this it follows "
-         "that the vector from S to the mass centre of the rest is **SS**_1 = (-0.125, -0.0625) m, and that the rest "
-         "has the moment of inertia I_S1 = 1.484375 kg m². In the tables, **v** is a velocity and Ω an angular "
-         "velocity. The index after such a letter says which body is meant: no index or the index S means the whole, "
-         "S1 or 1 means the rest, and S2 or 2 means the part. All lengths in the tables are in m, velocities in m/s, "
-         "angular velocities in rad/s. The letters **v**_r and Ω_r mean the velocity and the angular velocity of the "
-         "part relative to the whole; **v**_r1 and Ω_r1 mean those of the rest relative to the whole. The column "
-         "\"call\" names the function of the kit that computes the row. The function `vm_separate2` computes the "
-         "motion of the rest from **v**_S2 and Ω_2, the motion of the part. (The function `vm_separate_relative2` "
-         "computes the same from **v**_r and Ω_r.) In some rows the angular velocity Ω_1 of the rest is given, and the "
-         "angular velocity Ω_2 of the part must be found. In these rows `vm_separation_for_rest2` computes Ω_2, which "
-         "stands in the third column.\n\nIn Tables 2 to 4, the column \"part in the text\" has the motion of the part "
-         "that the dissertation assumes. The column \"rest in the text\" has the dissertation's formula for the motion "
-         "of the rest. The column \"as printed\" has the values of this formula, and the column \"true\" has the "
-         "correct values. The verdict \"holds\" means that the dissertation's formula is right. The words \"(cut "
-         "off)\" mean that the printed formula is not complete.");
+         "test` checks each row of the tables on this page. The dissertation is *Dynamics of Mass Variable System* by "
+         "Cveticanin. This page has every row of the dissertation's Tables 1 to 4, with an example in numbers. The "
+         "program build/examples/table5 prints Table 5 of the dissertation. [errata.md](errata.md) lists the errors of "
+         "the dissertation.\n\nIn the example of this page, a part separates from a plate. The plate before the "
+         "separation is called the whole, and what remains of the plate is called the rest. The whole has the mass M = "
+         "5 kg, the moment of inertia I_S = 2 kg m² and its mass centre S at the origin. The part has the mass m = 1 "
+         "kg and the moment of inertia I_S2 = 0.125 kg m², and the vector from S to its mass centre is **SS**_2 = "
+         "(0.5, 0.25) m. From this it follows that the vector from S to the mass centre of the rest is **SS**_1 = "
+         "(-0.125, -0.0625) m, and that the rest has the moment of inertia I_S1 = 1.484375 kg m². In the tables, **v** "
+         "is a velocity and Ω an angular velocity. The index after such a letter says which body is meant: no index or "
+         "the index S means the whole, S1 or 1 means the rest, and S2 or 2 means the part. All lengths in the tables "
+         "are in m, velocities in m/s, angular velocities in rad/s. The letters **v**_r and Ω_r mean the velocity and "
+         "the angular velocity of the part relative to the whole; **v**_r1 and Ω_r1 mean those of the rest relative to "
+         "the whole. In Tables 2 to 4, the column \"call\" names the function of the kit that computes the row. The "
+         "function `vm_separate2` computes the motion of the rest from **v**_S2 and Ω_2, the motion of the part. (The "
+         "function `vm_separate_relative2` computes the same from **v**_r and Ω_r.) In some rows the angular velocity "
+         "Ω_1 of the rest is given, and the angular velocity Ω_2 of the part must be found. In these rows "
+         "`vm_separation_for_rest2` computes Ω_2, which stands in the third column.\n\nIn Tables 2 to 4, the column "
+         "\"part in the text\" has the motion that the dissertation assumes for the part. The column \"rest in the "
+         "text\" has the dissertation's formula for the motion of the rest. The column \"as printed\" has the values "
+         "that this formula gives, and the column \"true\" has the correct values. The verdict \"holds\" means that "
+         "the dissertation's formula is right. The words \"(cut off)\" mean that the printed formula is not complete. "
+         "A row \"corrected\" has the formula without the error of the row before it.");
 }
 
 int main(int argc, char **argv)

@@ -165,8 +165,8 @@ static void validate_brick(void)
         "of the body, of the angular velocity relative to inertial axes. The angles yaw, pitch and roll are Euler "
         "angles relative to the directions north, east and down.",
         "The numbers of the published file have 12 digits, but not all of these digits are exact. At 30 s the yaw in "
-        "this file differs by 3e-9 degrees from the yaw that another simulator, sim_01, computed. Our yaw differs by "
-        "1.6e-9 degrees from the yaw of sim_01.",
+        "the published file differs by 3e-9 degrees from the yaw that another simulator, sim_01, computed. Our yaw "
+        "differs by 1.6e-9 degrees from the yaw of sim_01.",
         3e-9, 0};
     char text[60];
     int i, j;
@@ -220,7 +220,7 @@ static void validate_second_stage(void)
         "the files Atmos_17_sim_06.csv, twostage_prop.dml (revision A) and twostage_inertia.dml of the NESC check cases",
         "`rk87_solve` starts from the published state of the rocket at 134.1 s and computes the flight to 200 s. As "
         "for the brick in Atmos_02, the gravity contains the term J2, which describes the flattening of the earth. At "
-        "the start the rocket has a mass of 99 t, of which 80 t are propellant that burns in this time. The thrust is "
+        "the start the rocket has a mass of 99 t, of which 80 t are propellant that burns before 200 s. The thrust is "
         "5 MN and the specific impulse 390 s, with g0 = 9.8066 m/s^2. The published pitch angle gives the direction of "
         "the thrust. We do not compute the flight of the first stage through the atmosphere, because this computation "
         "needs tables of drag. The drag of the second stage is below 0.01 N, and we neglect it. We do not compute the "
@@ -228,8 +228,9 @@ static void validate_second_stage(void)
         "lbf, although the dynamic pressure is only 4e-11 lbf/ft^2. No aerodynamic coefficient can cause this moment, "
         "and we do not know its cause. The file does not contain the time of ignition. Therefore we searched for the "
         "time of ignition for which our velocity at 134.3 s is equal to the velocity in the file. The search by the x "
-        "component of the velocity and that by the y component both give 134.1745 s, with differences of at most 4e-6 "
-        "s. Two other simulators also computed this check case, but their files were not available.",
+        "component of the velocity and the search by the y component both give 134.1745 s, with differences of at most "
+        "4e-6 s from this time. Two other simulators also computed this check case, but their files were not "
+        "available.",
         "Our speed at 200 s is smaller than the published speed by 1.6 ft/s. The engine adds 1.6 ft/s in the last 1.8 "
         "ms before burnout. The simulator has steps of 100 ms, so that the time at which its engine stops may well be "
         "wrong by 1.8 ms. We do not know the causes of the smaller differences in the other rows of the table.",

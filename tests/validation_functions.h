@@ -98,10 +98,10 @@ static void validate_gsl_large_beta(void)
         "GSL's incomplete beta function of large parameters",
         "the GNU Scientific Library (GSL) 2.8, file specfunc/test_gamma.c",
         "As in the previous table, GSL's beta_inc(a, b, x) is our ateb_beta_inc(x, a, b). `make test` checks the table "
-        "in float, too; then it leaves out the rows whose published number is below 1e-37, because a float cannot hold "
-        "such a small number with all its digits.",
+        "in float, too; in float it leaves out the rows whose published number is below 1e-37, because a float cannot "
+        "hold such a small number with all its digits.",
         "The arguments x = 0.4 and 0.6 are rounded to double. Let f be the result as a function of x. A rounding error "
-        "of x changes ln f by this error times the derivative of ln f, which is up to some thousands.",
+        "of x changes ln f by this error times the derivative of ln f, and this derivative is up to some thousands.",
         6e-13, 1e-6};
     validation_begin(&group);
     ROW("0.9999999999157549630", ateb_beta_inc(0.6, 500.0, 500.0));
@@ -168,8 +168,8 @@ static void validate_carlson(void)
         "section 3 of Carlson's paper \"Numerical computation of real or complex elliptic integrals\", Numerical "
         "Algorithms 10 (1995)",
         "Carlson's paper has integrals with real and with complex arguments; the table has those with real arguments. "
-        "The integral R_J has a pole in its range if its last argument is negative; the number in the table is then "
-        "its principal value.",
+        "If the last argument of the integral R_J is negative, the integrand has a pole in the range of integration; "
+        "the number in the table is then the principal value of R_J.",
         "Carlson's paper prints its numbers with 14 digits.",
         1e-13, 3e-6};
     validation_begin(&group);

@@ -119,8 +119,8 @@ awk '/^ \.text\.vm/ {name = $1} name && /0x/ {for (i = 1; i <= NF; i++) if ($i ~
     "$build/scene.map" | sed 's/^\.text\.//; s/\..*//' | sort -u >"$build/linked"
 others=$(grep -E '^vmi_(apply|plane|point|free|axle|then|jump|when|growth|crossing|band|link)|^vmi_scene_(totals|rates|happen)' "$build/linked" |
     grep -vE '^vmi_apply_(linear_spring|damper)$')
-printf '\nIf the scene of a program is a body on a line with a spring and a damper, the program contains only those functions of the\n'
-printf 'kit that are listed here.\n'
 [ -n "$others" ] && echo "It should not contain: $others" && exit 1
-printf 'The program contains no function of the kit for another force, for another kind of body or for an event:\n\n'
+printf '\nIf the scene of a program is a body on a line with a spring and a damper, the program contains no function of the kit for another\n'
+printf 'force, for another kind of body or for an event. It contains only the following functions of the kit, apart from those that the\n'
+printf 'compiler has inserted into other functions:\n\n'
 sed 's/^/- `/; s/$/`/' "$build/linked"

@@ -151,8 +151,9 @@ In the tables for float and double, each cell has three numbers, which describe 
 instructions. Flash is the memory that stores the program. The number for flash says by how many bytes a program grows when the
 call is added to it, with all functions and tables of constants that the call needs. The number for the stack says how many bytes
 of the stack the call needs. The number of instructions says how many machine instructions the processor executes during the call.
-Stack and instructions were measured in many calls on emulated boards (boards that a PC imitates); the tables show the largest
-number of all calls.
+Stack and instructions were measured in many calls on emulated boards (boards that a PC imitates). In the tables, each of these
+two numbers is the largest of all calls. The next table lists the processors for which the functions were compiled; their short
+names are the headings of the columns of the other tables.
 
 | target | processor |
 |---|---|
@@ -172,8 +173,7 @@ say.
 
 A plan is a struct of numbers that are computed once and then used in many calls. In the rows of `jacobi_plan_sncndn` and
 `ateb_plan_saca` the number for flash includes the code that computes the plan. A program does not need this code if its plan was
-computed on a PC and is a constant in flash. The following list says what is computed in the other rows that use a plan, a body or
-a scene:
+computed on a PC and is a constant in flash. The following list says what some of the other rows compute:
 
 - `vm_osc_closed_at` computes the motion of an oscillator whose mass grows; the exponent alpha of its spring force is 1.7. The
   function uses an approximate formula (law) of order two, three or five; the first column names the order. The plan of this
@@ -183,12 +183,13 @@ a scene:
 - `vm_osc_exact` computes the motion of an oscillator with constant mass.
 - `vm_torque_free_attitude` computes the attitude of a rotating body without torque, at times from -1000 s to 1000 s. The function
   `vm_torque_free_init`, which must be called once before, has a row of its own.
-- `vm_scene_rhs` and `rk4_step of the scene` are the rows of a scene, which is a list of bodies, forces and events. The scene of
-  these rows is a tray that loses its load; a damper and a spring act on the tray, and the force of the spring is proportional to
-  any power of its extension. A call of `vm_scene_rhs` computes the accelerations of the scene once, and a step of `rk4` computes
-  the accelerations four times. [scene-sizes.md](scene-sizes.md) says how much flash other scenes need.
-- `rk4_step` and `rk45_step` compute one step of the motion of an oscillator with the equation x'' = -x^3. For `rk45_step` this is
-  the first step of an integration.
+- `vm_scene_rhs` and `rk4_step of the scene` compute with a scene, which is a list of bodies, forces and events. The scene of
+  these two rows is a tray that loses its load; a damper and a spring act on the tray. The force of the spring is proportional to
+  a power of its extension, whose exponent is a random number from 1 to 4. A call of `vm_scene_rhs` computes the accelerations of
+  the scene once, and a call of `rk4_step` computes them four times. [scene-sizes.md](scene-sizes.md) says how much flash other
+  scenes need.
+- The rows `rk4_step` and `rk45_step` compute one step of the motion of an oscillator with the equation x'' = -x^3. For
+  `rk45_step` this is the first step of an integration.
 
 ![instructions of a call](figures/firmware.svg)
 END

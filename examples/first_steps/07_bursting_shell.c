@@ -1,7 +1,7 @@
 /* A spinning shell bursts into three. A spinning shell bursts into three pieces, and the motions of two of these pieces are
-   given. The function vm_separate_all computes the motion of the third piece by the equations (15), (24) and (34). The function
-   vm_energy_gain computes by equation (113) how much kinetic energy the explosive charge gave to the pieces. The mass centre of
-   all three pieces moves on as if the shell had not burst, until the first piece hits the ground.
+   given. The function vm_separate_all computes the motion of the third piece, "the rest" in the output, by the equations (15),
+   (24) and (34). The function vm_energy_gain computes by equation (113) how much kinetic energy the explosive charge gave to the
+   pieces. The mass centre of all three pieces moves on as if the shell had not burst, until one of the pieces hits the ground.
 
    cc -O2 07_bursting_shell.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

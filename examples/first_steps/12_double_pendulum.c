@@ -1,8 +1,8 @@
 /* A double pendulum on a damped spring. Two bars hang on pins, one below the other, and a damped spring connects the end of the
    lower bar with the ground. The kit computes the forces in both pins together, by the method of Lagrange's multipliers. Only the
    work of the weights and of the damped spring changes the kinetic energy of the bars. The function vm_scene_keep_budget makes
-   the kit add up this work in a balance of energy, which is called the budget. The difference between the work in the budget and
-   the change of the kinetic energy shows how accurate the computed motion is.
+   the kit add up this work in a balance of energy, called the budget. In the output, the "energy that is not accounted for" is
+   the difference between this work and the change of the kinetic energy. This difference shows how accurate the motion is.
 
    cc -O2 12_double_pendulum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -2,8 +2,8 @@
    a Van der Pol oscillator with the mass m, the stiffness k and two constants, feed and c. The averaged form of this equation
    gives the amplitude, but x(t) also depends on the phase. Therefore the function vm_vdp_plan_within uses an approximate formula
    for x(t), called the law of order three. If the estimated error of this formula is too large, vm_vdp_plan_within integrates the
-   equation of motion. The program computes two motions. In the first motion mass and stiffness are constant, and the formula
-   takes the same computing time for every t. In the second motion mass joins the oscillator, and its spring becomes softer.
+   equation of motion. The program computes two motions. In the first motion mass and stiffness are constant, and the law of order
+   three takes the same computing time for every t. In the second motion mass joins the oscillator, and its spring becomes softer.
    Therefore the program sets the fields mass and stiffness of the struct vm_vdp to functions of time. In the output, the limit
    cycle is the steady vibration to which the first motion tends.
 

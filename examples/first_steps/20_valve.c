@@ -3,7 +3,7 @@
    piston vibrates once in a period of the force, the first harmonic of the force drives the piston; if the piston vibrates three
    times in a period, the third harmonic drives it. The program computes the mean amplitude A of the steady vibration of the
    piston, without integration. The column "by integration" gives the amplitude after an integration over 100 periods of the
-   force. The figure shows the next two periods of the vibration in the last row of the output.
+   force. For the last row of the output, the figure shows the shape of the force and x during the next two periods of the force.
 
    cc -O2 20_valve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

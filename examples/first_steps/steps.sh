@@ -12,8 +12,8 @@ mkdir -p "$build" || exit 1
     echo "Each section describes one of $(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines, and shows what the program prints and its figure. The comment"
     echo "at the top of a program contains the command that compiles it. A number in round brackets, such as (325), is the number of an"
     echo "equation in Cveticanin's dissertation *Dynamics of Mass Variable System*. Names that begin with vm_ are functions and structs of"
-    echo "the header varmass.h. In formulas a prime means d/dt, the derivative with respect to the time t. If the output of a program counts"
-    echo "evaluations, an evaluation is one call of the function that computes the derivatives for an integrator."
+    echo "the header varmass.h of the kit varmass. In formulas a prime means d/dt, the time derivative. If the output of a program counts"
+    echo "evaluations, an evaluation is one call of the function that computes the derivatives in the differential equation."
 } >"$doc"
 for source in examples/first_steps/*.c; do
     name=$(basename "$source" .c)

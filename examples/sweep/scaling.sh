@@ -32,15 +32,16 @@ awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 
     printf "rank computes 64 blocks of 4096 break-ups. A break-up takes %.2f us on one core, so that a round takes %.0f ms.\n", \
         sample * 1e6, round * 1e3
     print "After each round the first rank gathers the results of all ranks: 240 bytes for each block. In one round these are 15 MB for a"
-    print "thousand ranks, and it takes 1.5 ms to send them at 10 GB/s. The messages reach the first rank in ten stages. Each stage takes"
-    print "only some microseconds, which adds almost nothing to the 1.5 ms. At the end of a round all ranks wait for the slowest rank. This"
-    print "wait is short, because the times of blocks differ only by a few per cent. If each round loses only these 1.5 ms, the efficiency is"
+    print "thousand ranks, and it takes 1.5 ms to send them at 10 GB/s. The ranks pass the messages on to each other in ten stages, until the"
+    print "first rank has them. Each stage has a delay of only some microseconds, which adds almost nothing to the 1.5 ms. At the end of a"
+    print "round all ranks wait for the slowest rank. This wait is short, because the times of blocks differ only by a few per cent. If each"
+    print "round loses only these 1.5 ms, the efficiency is"
     printf "%.0f %%.\n\n", 100 * round / (round + 0.0015)
     print "The efficiency is lower if the sweep stores the results of finished blocks in a file. The file grows by 15 MB in each round,"
     printf "which is %.0f MB/s. If the disk can write 200 MB/s, and all ranks wait for the disk, the efficiency is %.0f %%.\n", \
         15.7 / round, 100 * round / (round + 15.7 / 200 + 0.0015)
     print "If each block has 65536 break-ups instead of 4096 (the constant BLOCK in breakups.c), the file is only a sixteenth as long."
     printf "The efficiency with this shorter file is %.0f %%.\n", 100 * 16 * round / (16 * round + 15.7 / 200 + 0.0015)
-    print "But another value of BLOCK changes the last digits of the sums, because the numbers are added in another order. Every rank also"
-    print "needs memory for the results of all blocks: 240 bytes for each block, which is 60 MB for 1e9 break-ups in blocks of 4096."
+    print "But another value of BLOCK changes the last digits of the results, because numbers are then added in another order. Every rank"
+    print "also needs memory for the results of all blocks: 240 bytes for each block, which is 60 MB for 1e9 break-ups in blocks of 4096."
 }'
