@@ -65,13 +65,15 @@ done 3<$folder/parts
 
 This page is written by `make campaigns` (bench/campaigns.sh).
 
-A campaign is a check that takes too long for `make test-all`. For each campaign, the table says what the campaign shows,
-with which version of the kit's headers it ran, and what it printed at its end. The column "headers" names these headers,
-each with its stamp. A stamp is a hash, a number that bench/stamp.sh computes from the code of a header and that changes
-if the code changes. If the stamps of a row are not those of today's headers, the campaign ran with earlier headers. The
-command `make campaigns` runs all campaigns. The command `make campaigns CAMPAIGNS="scan proof"` runs only the two
-campaigns "scan" and "proof". [reliability.md](reliability.md) and [fuzzing.md](fuzzing.md) say which errors the
-campaigns found.
+A campaign is a check that takes too long for `make test-all`. For each campaign, the table says what the campaign
+shows, with which version of the kit's headers it last ran, and what it printed at the end of this run. The column
+"headers" names these headers, each with its stamp. A stamp is a hash, a number that bench/stamp.sh computes from the
+code of a header and that changes if the code changes. If the stamps of a row are not those of today's headers, the
+campaign last ran with earlier headers. In the row "coverage", the numbers after a header are its lines, how many of
+them were not executed, the share that was executed, its outcomes of conditions, how many of them did not occur, and the
+share that occurred. The command `make campaigns` runs all campaigns whose headers have changed since they last passed.
+The command `make campaigns CAMPAIGNS="scan proof"` does this only for the two campaigns "scan" and "proof".
+[reliability.md](reliability.md) and [fuzzing.md](fuzzing.md) say which errors the campaigns found.
 
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|

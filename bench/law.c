@@ -300,10 +300,10 @@ static void print_reports(int n)
     int i;
     for (i = 0; i < n; i++)
         if (random_error[ORDERS - 1][i] > bound) add_report(&problems[i], length / rate, bound, &r);
-    printf("\nIn %d of the random problems the error of the law of order 5 is above 1e-9. In %d of these problems the\n"
-           "estimate of the error (section 6) is much too small: below 1e-9/3 at a time when the true error is above 1e-9. If the\n"
-           "tolerance is 1e-9, the function `vm_osc_plan_within`, which chooses the route, integrates these problems by collocation,\n"
-           "and the largest error of its results is %.1e.\n",
+    printf("\nIn %d of the random problems the error of the law of order 5 is above 1e-9. The estimate of this error (section 6)\n"
+           "counts as much too small if it is below 1e-9/3 at a time when the error is above 1e-9. This happens in %d of these\n"
+           "problems. If the function `vm_osc_plan_within`, which chooses the route, is called with the tolerance 1e-9, it\n"
+           "integrates these problems by collocation, and the largest error of its results is %.1e.\n",
            r.above, r.silent, r.within);
 }
 

@@ -41,7 +41,8 @@ with the chapters that it needs, without the rest of the kit. For example, \`mak
 \`build/parts/jumps.h\`. This header contains the chapter \`mechanics/jumps\` and the chapters that \`mechanics/jumps\` needs, and
 nothing else. If you name several chapters in \`PARTS\`, the command writes one header that contains all of them, and the header has
 the name of the first chapter. For example, \`make part PARTS="mechanics/jumps oscillators/routes"\` writes a header that contains
-both chapters and what they need; the name of this header is \`build/parts/jumps.h\`, too.
+both chapters and what they need; the name of this header is again \`build/parts/jumps.h\`, because \`mechanics/jumps\` comes
+first.
 
 Each row of the table is for one chapter, and for the header that \`make part\` writes if you name only this chapter. The column
 "lines" has the number of lines of this header, with its comments. The column "flash" has the size in bytes of all public

@@ -48,7 +48,8 @@ write() {
 # Errata
 
 This page lists what is wrong, misprinted or ambiguous in Cveticanin's dissertation *Dynamics of Mass Variable System*, and what
-is right instead. The command `sh tests/test_errata.sh build write` writes this page from tests/data/errata.txt.
+is right instead. The table below has a row for each such item. The command `sh tests/test_errata.sh build write` writes this page
+from tests/data/errata.txt.
 
 - The column "equation" names the place in the dissertation; for example, (16) means equation 16, and T3.6 means row 6 of Table 3.
 - The verdict "wrong" means that the printed formula or number gives wrong results where it is used. The verdict "misprint" means
@@ -56,14 +57,14 @@ is right instead. The command `sh tests/test_errata.sh build write` writes this 
   text can be read in several ways, of which only one is right.
 - The column "how it was checked" shows how far the printed form and the corrected form are from the truth: it gives their errors,
   or their values and the true value. If only one number is given, such as 3e-15, this number is the error of the corrected form.
-  What is called the truth is often an exact motion, or a motion that was integrated numerically. In this column "ODE" means the
-  result of direct numerical integration of the equation of motion. A residual is the difference of the two sides of a balance,
-  such as the balance of momentum. "The sample" is the set of numbers with which the test computes the item. "Reading" means that
-  the text was only read, and that nothing was computed. If the column "how it was checked" is empty, the column "what is true"
-  has the numbers, if there are any.
+  The truth is, for example, an exact solution, or a motion that was integrated numerically from the right equations. In this
+  column "ODE" means the result of direct numerical integration of the equation of motion. A residual is the difference of the two
+  sides of a balance, such as the balance of momentum. "The sample" is the set of numbers with which the test computes the item.
+  "Reading" means that the text was only read, and that nothing was computed. If the column "how it was checked" is empty, the
+  column "what is true" has the numbers, if there are any.
 - The last column, "tests", has the names of the tests that compute the item with numbers; the test NAME is the file
-  tests/test_NAME.c. For each item that has a test, the call ERRATUM("equation", ...) in the test checks that the printed form of
-  the equation is wrong and that the corrected form is right.
+  tests/test_NAME.c. For each item that has a test, the test has a call ERRATUM("equation", ...) that begins with the words of the
+  column "equation". This call checks that the printed form of the equation is wrong and that the corrected form is right.
 - In the formulas S is the mass centre of the initial body, S1 the mass centre of the final body, and S2 the mass centre of the
   part that joins or leaves. The letters O and Om mean an angular velocity Omega; O1 and Om1 mean Omega_1, Or means Omega_r, Or1
   means Omega_r1, and Ob means Omega_b. The letter w means the Greek letter omega. For a column vector d, P(d) means the matrix

@@ -34,12 +34,13 @@ number. Some of these formulas are from textbooks, and some are from the dissert
 ([glossary.md](glossary.md)). The command `make hard-cases` writes this page from the output of tests/test_hard.c. In each table,
 the first column says what is computed and why the usual formula goes wrong. The columns "error" and "naive" say by how much the
 result of the kit and the result of the usual formula differ from the true value, which was computed in arbitrary precision
-(tests/gen/hard_reference.py). The first three of the columns "error", "bound" and "naive" are for double, the last three for
+(tests/gen/hard_reference.py). The columns "error", "bound" and "naive" occur twice in each table: first for double, then for
 float.
 
-- The column "kernel" names two test functions in the folder tests/hard/ that compute the quantity of the row. For example, C2
-  stands for `C2_ours`, which calls a function of the kit, and for `C2_naive`, which uses the naive formula (the usual formula,
-  which goes wrong). The column "at" has the arguments of both functions. Arguments that this column does not show are zero.
+- The name in the column "kernel" stands for two test functions in the folder tests/hard/, which both compute the quantity of the
+  row. For example, C2 stands for `C2_ours`, which calls a function of the kit, and for `C2_naive`, which uses the naive formula
+  (the usual formula, which goes wrong). The column "at" has the arguments of both functions. Arguments that this column does not
+  show are zero.
 - If the text of the first column gives the value of an argument, this is the value in the test in double. The test in float may
   use other arguments, which the column "at" then shows after "float:". A number in brackets, such as (482), is the number of an
   equation of the dissertation on which the kit is based. In the first column, a difference "cancels" if nearly equal numbers are
@@ -58,8 +59,8 @@ float.
   leaving mass exerts on a body: if `reactive` is 1, the full force acts. The other letters of a row are explained in the comment
   above the function of the kit that is tested; the source in tests/hard/ shows which function this is.
 - In rows on separations, the "part" is what leaves a body, and the "rest" is what remains of the body. The word "spin" stands for
-  an angular velocity, and omega_1 is the first component of the angular velocity. The words "by rk4" mean that a motion is
-  integrated with fixed steps of the classical Runge-Kutta method.
+  an angular velocity, and omega_1 is the first component of the angular velocity. The words "by rk4" mean that the column "naive"
+  is not for a formula, but for an integration of the motion with fixed steps of the classical Runge-Kutta method.
 END
     tables
 }

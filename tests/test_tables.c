@@ -357,11 +357,12 @@ static void table1(void)
     CHECK(vm_momentum(&whole).x == vm_momentum(&rest).x + vm_momentum(&part).x);
     if (prints)
         puts("\n## Table 1: nomenclature\n\nIn each row, Table 1 of the dissertation has a label, which says what the "
-             "letters of the row mean. But the labels of the second row and of all later rows are printed one row too "
-             "high. The table below shows each printed label, the entries beside it, and the label that these entries "
-             "should have. The column \"here\" has the names that the kit uses. The last column has the values for row "
-             "T4.1 (row 1 of Table 4), in this order: the whole plate, the rest, the part.\n\n| the printed label | "
-             "entries in its row | their true label | here | values |\n|---|---|---|---|---|");
+             "letters of the row mean. But from the second row on, each label is printed one row too high, beside the "
+             "letters of the row above it. The table below shows each printed label, the entries beside it, and the "
+             "label that these entries should have. The column \"here\" has the names that the kit uses. The last "
+             "column has the values for row T4.1 (row 1 of Table 4), in this order: the whole, the rest, the "
+             "part.\n\n| the printed label | entries in its row | their true label | here | values "
+             "|\n|---|---|---|---|---|");
     name_row("Mass center", "-, 1, 2", "body (index)", "vm_body whole, rest, part", "");
     name_row("Position of mass center", "S, S_1, S_2", "mass center", "r", "(0, 0) is S");
     name_row("Position vector of mass center", "**SS**_1, **SS**_2", "position of mass center",
@@ -391,26 +392,31 @@ static void print_head(void)
          "test` checks each row of the tables on this page. The dissertation is *Dynamics of Mass Variable System* by "
          "Cveticanin. This page has every row of the dissertation's Tables 1 to 4, with an example in numbers. The "
          "program build/examples/table5 prints Table 5 of the dissertation. [errata.md](errata.md) lists the errors of "
-         "the dissertation.\n\nIn the example of this page, a part separates from a plate. The plate before the "
-         "separation is called the whole, and what remains of the plate is called the rest. The whole has the mass M = "
-         "5 kg, the moment of inertia I_S = 2 kg m² and its mass centre S at the origin. The part has the mass m = 1 "
-         "kg and the moment of inertia I_S2 = 0.125 kg m², and the vector from S to its mass centre is **SS**_2 = "
-         "(0.5, 0.25) m. From this it follows that the vector from S to the mass centre of the rest is **SS**_1 = "
-         "(-0.125, -0.0625) m, and that the rest has the moment of inertia I_S1 = 1.484375 kg m². In the tables, **v** "
-         "is a velocity and Ω an angular velocity. The index after such a letter says which body is meant: no index or "
-         "the index S means the whole, S1 or 1 means the rest, and S2 or 2 means the part. All lengths in the tables "
-         "are in m, velocities in m/s, angular velocities in rad/s. The letters **v**_r and Ω_r mean the velocity and "
-         "the angular velocity of the part relative to the whole; **v**_r1 and Ω_r1 mean those of the rest relative to "
-         "the whole. In Tables 2 to 4, the column \"call\" names the function of the kit that computes the row. The "
-         "function `vm_separate2` computes the motion of the rest from **v**_S2 and Ω_2, the motion of the part. (The "
-         "function `vm_separate_relative2` computes the same from **v**_r and Ω_r.) In some rows the angular velocity "
-         "Ω_1 of the rest is given, and the angular velocity Ω_2 of the part must be found. In these rows "
-         "`vm_separation_for_rest2` computes Ω_2, which stands in the third column.\n\nIn Tables 2 to 4, the column "
-         "\"part in the text\" has the motion that the dissertation assumes for the part. The column \"rest in the "
-         "text\" has the dissertation's formula for the motion of the rest. The column \"as printed\" has the values "
-         "that this formula gives, and the column \"true\" has the correct values. The verdict \"holds\" means that "
-         "the dissertation's formula is right. The words \"(cut off)\" mean that the printed formula is not complete. "
-         "A row \"corrected\" has the formula without the error of the row before it.");
+         "the dissertation.\n\nTables 2 to 4 are about a body from which a part separates: they give the motion of "
+         "what remains. In the example of this page, the body is a plate. The plate before the separation is called "
+         "the whole, and what remains of the plate is called the rest. The whole has the mass M = 5 kg, the moment of "
+         "inertia I_S = 2 kg m² and its mass centre S at the origin. The part has the mass m = 1 kg and the moment of "
+         "inertia I_S2 = 0.125 kg m², and the vector from S to its mass centre is **SS**_2 = (0.5, 0.25) m. From this "
+         "it follows that the vector from S to the mass centre of the rest is **SS**_1 = (-0.125, -0.0625) m, and that "
+         "the rest has the moment of inertia I_S1 = 1.484375 kg m². In the tables, **v** is a velocity and Ω an "
+         "angular velocity. The index after such a letter says which body is meant: no index or the index S means the "
+         "whole, S1 or 1 means the rest, and S2 or 2 means the part. All lengths in the tables are in m, velocities in "
+         "m/s, angular velocities in rad/s. The index r means that the motion of the part is given relative to the "
+         "whole, which may rotate: **v**_r = **v**_S2 - **v**_S - **Ω**×**SS**_2 and Ω_r = Ω_2 - Ω. The index r1 means "
+         "the same for the rest: **v**_r1 = **v**_S1 - **v**_S - **Ω**×**SS**_1 and Ω_r1 = Ω_1 - Ω. In Tables 2 to 4, "
+         "the column \"call\" names the function of the kit that computes the row. The function `vm_separate2` "
+         "computes the motion of the rest from **v**_S2 and Ω_2, the motion of the part. (The function "
+         "`vm_separate_relative2` computes the same from **v**_r and Ω_r.) In some rows the angular velocity Ω_1 of "
+         "the rest is given, and the angular velocity Ω_2 of the part must be found. In these rows "
+         "`vm_separation_for_rest2` computes Ω_2, and the third column has the result.\n\nIn Tables 2 to 4, the column "
+         "\"part in the text\" has the motion that the dissertation assumes for the part; the third column has this "
+         "motion in numbers. The column \"rest in the text\" has the dissertation's formula for the motion of the "
+         "rest. The column \"as printed\" has the values that this formula gives. The column \"true\" has the values "
+         "that the kit computes; they are correct, because `make test` compares them with the laws of conservation of "
+         "momentum and angular momentum. The verdict \"holds\" means that the dissertation's formula is right. The "
+         "words \"(cut off)\" mean that the dissertation prints only a part of the formula. If a row has a wrong "
+         "formula for Ω_2 or Ω_r, a row \"corrected\" with the right formula follows. Row T3.8 is followed by one more "
+         "row, \"T3.8 for Ω_1 = 0\", which has the formula for a rest that does not rotate.");
 }
 
 int main(int argc, char **argv)

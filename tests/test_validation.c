@@ -14,16 +14,17 @@ static void print_head(void)
     puts("# Validation by others' numbers\n\nThis page is written by `make validation` (tests/test_validation.c); "
          "`make test` checks each row of its tables. Each table compares numbers that others have published with our "
          "numbers, which varmass has computed. The column \"difference\" has the relative difference, |ours - "
-         "published|/|published|. Each table has a tolerance, which is the largest relative difference that is "
-         "allowed. This tolerance is larger if the published numbers have few digits or are not accurate. The text "
-         "above each table gives the reason for its tolerance.\n\nThe comparison shows that no published number "
-         "contradicts the kit, but that three of the published sources are less exact than their many digits suggest. "
-         "The first source is an example of the integrator CVODE, which computes the flight of a rocket. The numbers "
-         "that this example prints are wrong from the fourth, fifth or sixth digit on, because CVODE ran with a large "
-         "tolerance. The second source consists of the results of five programs that simulate a tumbling brick; the "
-         "results differ from each other by up to 2e-4. The angular velocities that the two most accurate of these "
-         "programs computed differ from ours by a relative difference of at most 4e-11. The third source, a file on "
-         "the flight of a two-stage rocket, contains a pitch moment whose cause we could not find.");
+         "published|/|published|. Each table has its own tolerance, which is the largest relative difference that is "
+         "allowed. The fewer correct digits the published numbers have, the larger is the tolerance. The text above "
+         "each table gives the reason for its tolerance.\n\nThe comparison shows that no published number contradicts "
+         "the kit, but that three of the published sources are less exact than their many digits suggest. The first "
+         "source is an example of the integrator CVODE, which computes the flight of a rocket. The numbers that this "
+         "example prints are wrong from the fourth, fifth or sixth digit on, because CVODE ran with a large tolerance. "
+         "The second source consists of the results of five programs that simulate a tumbling brick. The angular "
+         "velocities that these programs computed differ from each other by relative differences of up to 2e-4. But "
+         "two of the programs are much more accurate: their angular velocities differ from ours by relative "
+         "differences of at most 4e-11. The third source, a file on the flight of a two-stage rocket, contains a pitch "
+         "moment whose cause we could not find.");
 }
 
 int main(int argc, char **argv)

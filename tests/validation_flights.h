@@ -164,9 +164,9 @@ static void validate_brick(void)
         "effect on a body without drag. The roll, pitch and yaw rates in the table are the components, along the axes "
         "of the body, of the angular velocity relative to inertial axes. The angles yaw, pitch and roll are Euler "
         "angles relative to the directions north, east and down.",
-        "The numbers of the published file have 12 digits, but not all of these digits are exact. At 30 s the yaw in "
-        "the published file differs by 3e-9 degrees from the yaw that another simulator, sim_01, computed. Our yaw "
-        "differs by 1.6e-9 degrees from the yaw of sim_01.",
+        "The numbers of the published file have 12 digits, but not all of these digits are exact. For example, at 30 s "
+        "the yaw in this file, which the simulator sim_04 computed, differs by 3e-9 degrees from the yaw that another "
+        "simulator, sim_01, computed. Our yaw is closer to that of sim_01: it differs from it by only 1.6e-9 degrees.",
         3e-9, 0};
     char text[60];
     int i, j;
@@ -195,8 +195,8 @@ static void validate_other_bricks(void)
         "the files Atmos_02_sim_01.csv, Atmos_02_sim_02.csv, Atmos_02_sim_05.csv and Atmos_02_sim_06.csv of the NESC "
         "check cases",
         "Our numbers are the rates of the brick at 30 s from the previous table. The results of the simulators differ "
-        "from each other because the simulators use steps of different lengths. The rates that the simulators sim_01 "
-        "and sim_04 computed agree with our rates to 10 digits.",
+        "from each other because the simulators use steps of different lengths. The simulators sim_01 (in this table) "
+        "and sim_04 (in the previous table) are the most accurate: their rates agree with ours to 10 digits.",
         "The largest relative difference between the results of two simulators is 2e-4.",
         3e-4, 3e-4};
     static const char *const axis[3] = {"roll", "pitch", "yaw"};
@@ -224,16 +224,18 @@ static void validate_second_stage(void)
         "5 MN and the specific impulse 390 s, with g0 = 9.8066 m/s^2. The published pitch angle gives the direction of "
         "the thrust. We do not compute the flight of the first stage through the atmosphere, because this computation "
         "needs tables of drag. The drag of the second stage is below 0.01 N, and we neglect it. We do not compute the "
-        "rotation of the rocket either. The reason is that at 200 s the published file has a pitch moment of 29 ft "
-        "lbf, although the dynamic pressure is only 4e-11 lbf/ft^2. No aerodynamic coefficient can cause this moment, "
-        "and we do not know its cause. The file does not contain the time of ignition. Therefore we searched for the "
-        "time of ignition for which our velocity at 134.3 s is equal to the velocity in the file. The search by the x "
-        "component of the velocity and the search by the y component both give 134.1745 s, with differences of at most "
+        "rotation of the rocket either, because the published file contains a moment that we cannot explain: at 200 s "
+        "it has a pitch moment of 29 ft lbf, although the dynamic pressure is only 4e-11 lbf/ft^2. At such a small "
+        "pressure no aerodynamic coefficient can cause this moment, and we do not know its cause. The published file "
+        "does not contain the time of ignition of the second stage. Therefore we searched for the time of ignition for "
+        "which our velocity at 134.3 s is equal to the velocity in the file. One search used the x component of the "
+        "velocity, and another search used the y component. Both searches give 134.1745 s, with differences of at most "
         "4e-6 s from this time. Two other simulators also computed this check case, but their files were not "
         "available.",
-        "Our speed at 200 s is smaller than the published speed by 1.6 ft/s. The engine adds 1.6 ft/s in the last 1.8 "
-        "ms before burnout. The simulator has steps of 100 ms, so that the time at which its engine stops may well be "
-        "wrong by 1.8 ms. We do not know the causes of the smaller differences in the other rows of the table.",
+        "Our speed at 200 s is smaller than the published speed by 1.6 ft/s. This difference can be explained: the "
+        "engine adds 1.6 ft/s in the last 1.8 ms before burnout, and the simulator has steps of 100 ms, so that the "
+        "time at which its engine stops may well be wrong by 1.8 ms. We do not know the causes of the smaller "
+        "differences in the other rows of the table.",
         1e-4, 4e-4};
     const double ignition = 134.1745, mass_rate = -5e6 / (390 * 9.8066), burn = 80000 / -mass_rate;
     vm_real y[4] = {VM_C(21361276.292372078), VM_C(1007426.1413189974), VM_C(2099.812416485217),
@@ -363,11 +365,11 @@ static void validate_toutatis_rates(void)
         "its solver computes with the observed angular velocity, in body axes. The published numbers are the relative "
         "difference between the computed and the observed speed of rotation, and the angle between the two vectors of "
         "angular velocity",
-        "We compute the angular velocity of Toutatis at the times of the observations by `vm_torque_free_rotation` and "
-        "compare it with the observed angular velocity, as Principia does. The rotation starts from the same state as "
-        "in the previous table.",
-        "Principia rounds the relative difference of the speeds to 0.001 and the angle to 0.1 degrees. Half a unit of "
-        "the last digit of the angle is 0.05 degrees, which is 10 % of the smallest angle, 0.5 degrees.",
+        "We do the same as Principia: we compute the angular velocity of Toutatis at the times of the observations by "
+        "`vm_torque_free_rotation` and compare it with the observed angular velocity. The column \"ours\" has the "
+        "differences and angles that result. The rotation starts from the same state as in the previous table.",
+        "Principia rounds the relative difference of the speeds to 0.001 and small angles to 0.1 degrees. The rounding "
+        "of such an angle causes an error of up to 0.05 degrees, which is 10 % of the smallest angle, 0.5 degrees.",
         0.1, 0.1};
     const double epoch = 9 + (17 + (49 + 47.0 / 60) / 60) / 24 - 30; /* in days of December; November has 30 */
     const vm_body start = toutatis_start();

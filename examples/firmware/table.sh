@@ -129,11 +129,12 @@ avr_table() {
         return 1
     printf '\n## ATmega328P\n\n'
     printf 'The ATmega328P is a processor with 32768 bytes of flash. The table shows how many bytes of flash the program tests/cross/tables.c\n'
-    printf 'needs, which computes in float. This program runs on the ATmega328P: it makes the plan of an oscillator that loses mass, computes\n'
-    printf 'the motion at 16 times from this plan, and prints the results. A program with more than 32768 bytes does not fit into the flash.\n'
-    printf 'If the plan is made on a PC and stored as a constant, the program needs less flash, because it does not contain the code that\n'
-    printf 'makes the plan. The second and third column are for two sets of options of the compiler avr-gcc, which the headings of the columns\n'
-    printf 'name.\n'
+    printf 'needs. This program is written for the ATmega328P and computes in float: it makes the plan of an oscillator that loses mass,\n'
+    printf 'computes the motion at 16 times from this plan, and prints the results. Each row of the table is for one order of the law (the\n'
+    printf 'approximate formula) by which the program computes the motion. If a number in the table is larger than 32768, the program does not\n'
+    printf 'fit into the flash. If the plan is made on a PC and stored as a constant, the program needs less flash, because it does not\n'
+    printf 'contain the code that makes the plan. The second and third column are for two sets of options of the compiler avr-gcc, which the\n'
+    printf 'headings of the columns name.\n'
     printf '\n| order of the law | -Os | -Os -mcall-prologues -mrelax |\n|---|---|---|\n'
     for order in 2 3 5; do
         printf '| %s | %s | %s |\n' $order "$(avr_flash $order)" "$(avr_flash $order -mcall-prologues -mrelax)"
@@ -152,8 +153,8 @@ instructions. Flash is the memory that stores the program. The number for flash 
 call is added to it, with all functions and tables of constants that the call needs. The number for the stack says how many bytes
 of the stack the call needs. The number of instructions says how many machine instructions the processor executes during the call.
 Stack and instructions were measured in many calls on emulated boards (boards that a PC imitates). In the tables, each of these
-two numbers is the largest of all calls. The next table lists the processors for which the functions were compiled; their short
-names are the headings of the columns of the other tables.
+two numbers is the largest of all calls. The next table lists the processors for which the functions were compiled. The short
+names in its first column are the headings of the columns in the tables for float and double.
 
 | target | processor |
 |---|---|
@@ -165,11 +166,11 @@ names are the headings of the columns of the other tables.
 
 Each function was called with 300 random sets of arguments (only `vm_osc_closed_init` with 10), and then with some difficult
 arguments. Difficult arguments are the ends of the intervals of allowed arguments, the large argument u = 1e9 (in float 1e4), and
-values next to 1 of the elliptic parameter m. The script examples/firmware/table.sh lists all difficult arguments. In most rows,
-the random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments above the functions
-explain these letters. For functions of bodies, the random bodies in space have three different moments of inertia, a random
-attitude and a random motion. With other arguments than these, a call may need a larger stack or more instructions than the tables
-say.
+values of the elliptic parameter m that are next to 1. The script examples/firmware/table.sh lists all difficult arguments. In
+most rows, the random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments above the
+functions explain these letters. For functions of bodies, the random bodies in space have three different moments of inertia, a
+random attitude and a random motion. With other arguments than these, a call may need a larger stack or more instructions than the
+tables say.
 
 A plan is a struct of numbers that are computed once and then used in many calls. In the rows of `jacobi_plan_sncndn` and
 `ateb_plan_saca` the number for flash includes the code that computes the plan. A program does not need this code if its plan was
@@ -182,12 +183,14 @@ computed on a PC and is a constant in flash. The following list says what some o
   time.
 - `vm_osc_exact` computes the motion of an oscillator with constant mass.
 - `vm_torque_free_attitude` computes the attitude of a rotating body without torque, at times from -1000 s to 1000 s. The function
-  `vm_torque_free_init`, which must be called once before, has a row of its own.
+  `vm_torque_free_init`, which must be called once before, has a row of its own. The code that both functions use is counted only
+  in the flash of the row of `vm_torque_free_init`.
 - `vm_scene_rhs` and `rk4_step of the scene` compute with a scene, which is a list of bodies, forces and events. The scene of
   these two rows is a tray that loses its load; a damper and a spring act on the tray. The force of the spring is proportional to
-  a power of its extension, whose exponent is a random number from 1 to 4. A call of `vm_scene_rhs` computes the accelerations of
-  the scene once, and a call of `rk4_step` computes them four times. [scene-sizes.md](scene-sizes.md) says how much flash other
-  scenes need.
+  a power of its extension, whose exponent is a random number from 1 to 4. A call of `vm_scene_rhs` evaluates the equation of
+  motion of the tray once, and a call of `rk4_step` evaluates it four times. The flash of the function `vm_scene_start`, which
+  must be called once before, is not counted in these two rows. [scene-sizes.md](scene-sizes.md) says how much flash whole
+  programs with scenes need.
 - The rows `rk4_step` and `rk45_step` compute one step of the motion of an oscillator with the equation x'' = -x^3. For
   `rk45_step` this is the first step of an integration.
 

@@ -1,13 +1,13 @@
-/* A spring with a leaking mass. A bucket of sand hangs on a spring, and the sand leaks out. The equation of motion is m x'' +
-   k x = 0, where m is the mass of the bucket with the sand, k the stiffness of the spring, and x the coordinate of the bucket.
-   The coordinate is measured from the position at which the bucket would hang at rest; this position rises while sand leaks out.
-   The sand leaves with the velocity of the bucket, so that the loss of sand causes no force. As the mass m falls, the vibration
-   becomes faster, and its amplitude A falls as A0 (m/m0)^(1/4), where A0 and m0 are the amplitude and the mass at the start. If
-   the sand were brought to rest before it leaves, the loss of sand would cause a force on the bucket, the reactive force. With
-   this force the amplitude would grow as A0 (m0/m)^(1/4), which is equation (325) for a linear spring. The function
-   vm_osc_amplitude_law computes A/A0 without or with the reactive force; its third argument is 0 without this force and 1 with
-   this force. In the output, the column "its law" is the amplitude A0 (m/m0)^(1/4). The column "route that was taken" names the
-   method that computed the motion, here an approximate formula for the motion, called the law of order three.
+/* A spring with a leaking mass. A bucket of sand hangs on a spring, and the sand leaks out. The equation of motion is
+   m x'' + k x = 0, where m is the mass of the bucket with the sand, k the stiffness of the spring, and x the coordinate of the
+   bucket. The coordinate is measured from the position at which the bucket would hang at rest; this position rises while sand
+   leaks out. The sand leaves with the velocity of the bucket, so that the loss of sand causes no force. As the mass m falls, the
+   vibration becomes faster, and its amplitude A falls as A0 (m/m0)^(1/4), where A0 and m0 are the amplitude and the mass at the
+   start. If the sand were brought to rest before it leaves, the loss of sand would cause a force on the bucket, the reactive
+   force. With this force the amplitude would grow as A0 (m0/m)^(1/4), which is equation (325) for a linear spring. The function
+   vm_osc_amplitude_law computes A/A0 for both cases: its third argument is 0 without the reactive force and 1 with this force. In
+   the output, the column "amplitude" is taken from the computed motion, and "its law" is A0 (m/m0)^(1/4). The last column names
+   the method that computed the motion, here an approximate formula for the motion, called the law of order three.
 
    cc -O2 01_leaking_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

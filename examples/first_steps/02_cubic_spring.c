@@ -3,8 +3,8 @@
    ca(3, 1, s), where ca is the Ateb cosine, a function similar to the cosine, and s is proportional to the time. If the force of
    the spring is x |x|^(alpha-1) instead of x^3, the function in the exact motion is ca(alpha, 1, s). For the cubic spring the
    program compares two other formulas with the exact motion. The first formula, (291), is a cosine with the exact period; its
-   error is up to 7 % of the amplitude. The second formula, (297), contains Jacobi's function cn and is exact for the cubic
-   spring.
+   error is up to 7 % of the amplitude. The second formula, (297), contains Jacobi's function cn. For the cubic spring this
+   formula is exact, and its error in the output is only an error of rounding.
 
    cc -O2 02_cubic_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* A vibrating sieve that is being loaded. The program of this section describes a machine as a scene: a list of bodies, a list of
    effects that act on the bodies (such as a spring), and a list of events that change the scene. A motor shakes a sieve of 20 kg,
    held by a spring and a damper, with a force of up to 60 N. From t = 4 s on, 2 kg of gravel per second fall straight down into
-   the sieve, until the sieve holds 20 kg of gravel; (175) is the equation of motion. As the mass grows, the natural frequency of
-   the sieve falls. When this frequency passes the frequency of the motor, there is resonance.
+   the sieve, until it holds 20 kg of gravel; the equation of motion is (175). As the mass grows, the natural frequency falls.
+   When it passes the frequency of the motor, there is resonance. The vibration needs time to grow, and is widest about 2 s later.
 
    cc -O2 03_sieve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

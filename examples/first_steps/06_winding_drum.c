@@ -1,10 +1,10 @@
 /* A band winds up on a drum. A band moves with the constant velocity v towards a drum and winds up on it (Fig. 20 of the
    dissertation). The moment of inertia of the drum grows with the angle phi through which the drum has turned. Equation (196)
    gives the angular velocity Omega for each angle phi, and equation (197) gives the time at which the drum has turned through
-   phi. The program computes the motion for three values of D, the damping of the drum. With D = 0 the band drives the drum, whose
-   angular velocity tends to v/R = 12 rad/s, where R is the radius of the drum. With D = 0.00156 N m s, which is
-   mu R (v - R Omega), the drum keeps the angular velocity Omega = 10 rad/s with which it starts; mu is the mass of the band per
-   radian. With the largest of the three values of D, the drum never turns beyond a certain angle, which the output gives.
+   phi. At the start Omega is 10 rad/s. The program computes the motion for three values of D, the damping of the drum. With D = 0
+   the band drives the drum, and Omega tends to v/R = 12 rad/s, where R is the radius of the drum. With D = 0.00156 N m s, Omega
+   stays 10 rad/s, because this D is equal to mu R (v - R Omega), where mu is the mass of the band per radian. With the largest D
+   the drum cannot turn beyond a certain angle, the last number of its row; "inf" means that there is no such limit.
 
    cc -O2 06_winding_drum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* A ball hits a rod that lies on ice. A rod lies at rest on ice; a ball flies towards the rod and sticks to it. The place where
-   the ball hits the rod decides how fast the rod spins afterwards and how much energy is lost. The function vm_attach2 computes
-   by equations (35)-(39) how rod and ball move together after the impact. Carnot's theorem, equation (118), gives the energy that
-   is lost. Rod and ball move in a plane, so that each of them is a `vm_body2`. This is a struct with the mass, the moment of
-   inertia, the coordinates x and y of the mass centre, the angle, the velocity and the angular velocity.
+   the ball hits the rod, measured from the middle of the rod, decides how fast the rod spins afterwards and how much energy is
+   lost. The function vm_attach2 computes by equations (35)-(39) how rod and ball move together after the impact. The lost energy
+   is the difference of the kinetic energies; Carnot's theorem (118) gives the same value. Rod and ball move in a plane, so each
+   is a `vm_body2`, a struct with mass, moment of inertia, position of the mass centre, angle, velocity and angular velocity.
 
    cc -O2 08_ball_meets_rod.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

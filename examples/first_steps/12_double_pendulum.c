@@ -2,7 +2,7 @@
    lower bar with the ground. The kit computes the forces in both pins together, by the method of Lagrange's multipliers. Only the
    work of the weights and of the damped spring changes the kinetic energy of the bars. The function vm_scene_keep_budget makes
    the kit add up this work in a balance of energy, called the budget. In the output, the "energy that is not accounted for" is
-   the difference between this work and the change of the kinetic energy. This difference shows how accurate the motion is.
+   the difference between this work and the change of the kinetic energy. If the motion were exact, this difference would be 0.
 
    cc -O2 12_double_pendulum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

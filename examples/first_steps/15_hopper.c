@@ -1,9 +1,9 @@
 /* A hopper fills a bag by its own scale. A hopper (a funnel) with 500 kg of grain hangs on a spring, which serves as its scale.
    The grain flows into a bag through two gates, a coarse one and a fine one. When the scale shows that 45 kg of grain have left,
    the coarse gate shuts. When the scale shows that 50 kg have left, the fine gate shuts, too, and the computation ends. The grain
-   leaves with the velocity of the hopper, so that no reactive force acts on the hopper (equation (166)). While grain leaves, the
-   hopper swings up and down on its spring. Therefore the scale shows a little more or less than the mass that has left, and the
-   bag does not get exactly 50 kg. The program compares three fine gates; the gate with the largest flow makes the largest error.
+   leaves with the velocity of the hopper, so that no reactive force acts on the hopper (equation (166)). But the hopper becomes
+   lighter and swings on its spring. Therefore the mass that the scale shows is not exactly the true mass, and the bag does not
+   get exactly 50 kg. Of the three fine gates in the output, the gate with the largest flow makes the largest error.
 
    cc -O2 15_hopper.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

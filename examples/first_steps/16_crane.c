@@ -2,8 +2,8 @@
    swings; phi is the angle of the rope, and L is the length of the rope, at first 20 m. While the load swings, the crane shortens
    the rope by 0.25 m each second. The program treats the load as a body that turns about the upper end of the rope and has the
    moment of inertia m L(t)^2. The equation of motion is (m L^2 phi')' = -m g L sin phi; this is equation (170) with the moment of
-   inertia in place of the mass. If the rope shortens slowly, the largest angle of each swing grows in proportion to L^(-3/4). If
-   sin phi is replaced by phi (small angles), a formula with Bessel functions gives the exact solution (Lorentz's pendulum).
+   inertia in place of the mass. While the rope slowly becomes shorter, the largest angle of a swing grows in proportion to
+   L^(-3/4). For small angles sin phi is nearly phi; then a formula with Bessel functions gives the motion (Lorentz's pendulum).
 
    cc -O2 16_crane.c -lm && ./a.out [file.csv] */
 #include <math.h>

@@ -1,6 +1,6 @@
 /* A satellite whose tank is filled in orbit. A satellite turns, with a little wobble, about the axis of its tank, while 300 kg of
-   liquid flow into the tank along this axis. The function vm_supply_at computes the level, the mass centre and the inertia of the
-   liquid. The liquid was at rest before and brings no angular momentum; therefore the satellite turns more slowly in the end.
+   liquid flow into the tank. The function vm_supply_at computes level, mass centre and inertia of the liquid. The liquid arrives
+   without angular momentum, so the satellite turns more slowly in the end. In the output, the part "from nowhere" is an error.
 
    cc -O2 17_filling_tank.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -19,9 +19,9 @@ awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 
     print "This page is written by `make scaling`.\n"
     print "The sweep is the program examples/sweep/breakups.c. For the table, it computes " samples " random break-ups of a body."
     print "The program can run as several processes at the same time, which exchange messages through the library MPI. Such a process is"
-    print "called a rank. A rank may have several threads. For each row of the table, the sweep ran on one or two cores, and the time is the"
-    print "shortest of three runs. The column \"speed-up\" has the time of one thread divided by the time of the row. The column \"efficiency\""
-    print "has the speed-up divided by the number of cores. The results of all runs have the same bits.\n"
+    print "called a rank. A rank may have several threads. In the first row of the table, the sweep ran on one core, in the other rows on two"
+    print "cores. Each time is the shortest of three runs. The column \"speed-up\" has the time of one thread divided by the time of the row."
+    print "The column \"efficiency\" has the speed-up divided by the number of cores. The results of all runs have the same bits.\n"
     print "| | time, s | speed-up | efficiency |\n|---|---|---|---|"
     printf "| one thread | %s | 1 | |\n| two threads, one rank | %s | %.2f | %.0f %% |\n| two ranks, a thread each | %s | %.2f | %.0f %% |\n",
         one, threads, one / threads, 50 * one / threads, ranks, one / ranks, 50 * one / ranks
@@ -38,7 +38,7 @@ awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 
     print "round loses only these 1.5 ms, the efficiency is"
     printf "%.0f %%.\n\n", 100 * round / (round + 0.0015)
     print "The efficiency is lower if the sweep stores the results of finished blocks in a file. The file grows by 15 MB in each round,"
-    printf "which is %.0f MB/s. If the disk can write 200 MB/s, and all ranks wait for the disk, the efficiency is %.0f %%.\n", \
+    printf "that is, by %.0f MB in each second of computing. If the disk can write 200 MB/s, and no rank computes while the disk writes, the\nefficiency is %.0f %%.\n", \
         15.7 / round, 100 * round / (round + 15.7 / 200 + 0.0015)
     print "If each block has 65536 break-ups instead of 4096 (the constant BLOCK in breakups.c), the file is only a sixteenth as long."
     printf "The efficiency with this shorter file is %.0f %%.\n", 100 * 16 * round / (16 * round + 15.7 / 200 + 0.0015)
