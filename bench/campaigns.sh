@@ -69,11 +69,13 @@ A campaign is a check that takes too long for `make test-all`. For each campaign
 shows, with which version of the kit's headers it last ran, and what it printed at the end of this run. The column
 "headers" names these headers, each with its stamp. A stamp is a hash, a number that bench/stamp.sh computes from the
 code of a header and that changes if the code changes. If the stamps of a row are not those of today's headers, the
-campaign last ran with earlier headers. In the row "coverage", the numbers after a header are its lines, how many of
-them were not executed, the share that was executed, its outcomes of conditions, how many of them did not occur, and the
-share that occurred. The command `make campaigns` runs all campaigns whose headers have changed since they last passed.
-The command `make campaigns CAMPAIGNS="scan proof"` does this only for the two campaigns "scan" and "proof".
-[reliability.md](reliability.md) and [fuzzing.md](fuzzing.md) say which errors the campaigns found.
+campaign last ran with earlier headers. In the row "coverage", the name of each header is followed by six numbers. Three
+numbers are about the lines of the header: how many there are, how many were not executed, and the share that was
+executed. The other three numbers are about the outcomes of its conditions (true or false): how many there are, how many
+did not occur, and the share that occurred. The command `make campaigns` runs a campaign again if one of its headers has
+changed since the campaign last passed. The command `make campaigns CAMPAIGNS="scan proof"` does this only for the two
+campaigns "scan" and "proof". [reliability.md](reliability.md) and [fuzzing.md](fuzzing.md) say which mistakes in the
+code the campaigns found.
 
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|

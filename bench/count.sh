@@ -76,9 +76,10 @@ compiler=$($CC --version) || fail "the compiler $CC does not say its version"
     echo "with $FLAGS."
     echo "The table says for each function how many machine instructions a call executes. The instructions were counted by callgrind, a tool"
     echo "of the program valgrind. Each number is the mean of 200 calls; it is the same in every run, because all runs use the same"
-    echo "arguments. In some rows the name of the function has an addition that says how it was called: for example, _4_3 stands for alpha ="
-    echo "4/3, and _to_1e_3 for a tolerance of 1e-3. The file bench/count.c has all calls and their arguments. In the rows of the"
-    echo "integrators (rk4, rk45, rk87), a call computes one step of the solution of x'' = -x^3."
+    echo "arguments. In some rows the name of the function has an addition that says how it was called. For example, \`ateb_plan_saca_4_3\` is"
+    echo "a call of \`ateb_plan_saca\` with a plan for alpha = 4/3, where alpha is the exponent of the Ateb functions, and the addition"
+    echo "_to_1e_3 stands for a tolerance of 1e-3. The file bench/count.c has all calls and their arguments. In the rows of the integrators"
+    echo "(rk4, rk45, rk87), a call computes one step of the solution of x'' = -x^3."
     echo
     echo '| function | double | float |'
     echo '|---|---|---|'

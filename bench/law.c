@@ -300,10 +300,11 @@ static void print_reports(int n)
     int i;
     for (i = 0; i < n; i++)
         if (random_error[ORDERS - 1][i] > bound) add_report(&problems[i], length / rate, bound, &r);
-    printf("\nIn %d of the random problems the error of the law of order 5 is above 1e-9. The estimate of this error (section 6)\n"
-           "counts as much too small if it is below 1e-9/3 at a time when the error is above 1e-9. This happens in %d of these\n"
-           "problems. If the function `vm_osc_plan_within`, which chooses the route, is called with the tolerance 1e-9, it\n"
-           "integrates these problems by collocation, and the largest error of its results is %.1e.\n",
+    printf("\nIn %d of the random problems the error of the law of order 5 is above 1e-9. In these problems the error and its\n"
+           "estimate (section 6) are compared at several times. The estimate counts as much too small if at one of these times\n"
+           "the error is above 1e-9 and the estimate is below 1e-9/3. This happens in %d of these problems. The function\n"
+           "`vm_osc_plan_within` chooses a route (a method) itself. If it is called with the tolerance 1e-9, it integrates\n"
+           "these problems numerically, by collocation, and the largest error of its results is %.1e.\n",
            r.above, r.silent, r.within);
 }
 

@@ -46,10 +46,11 @@ first.
 
 Each row of the table is for one chapter, and for the header that \`make part\` writes if you name only this chapter. The column
 "lines" has the number of lines of this header, with its comments. The column "flash" has the size in bytes of all public
-functions of the chapter, with the code and the tables of constants that they use. The sizes are for programs in float on the
-processor Cortex-M4F, compiled by gcc -Os. A program that calls only some functions of the chapter needs less flash than this
-column says. The column "needs" lists the chapters that the chapter of the row includes directly. The chapters of the folder base/
-are not listed in this column.
+functions of the chapter, with all code and tables of constants that these functions use, in this chapter or in other chapters.
+What these functions do not use is not counted; therefore the number of a chapter can be smaller than that of a chapter that it
+needs. The sizes are for programs in float on the processor Cortex-M4F, compiled by gcc -Os. A program that calls only some
+functions of the chapter needs less flash than this column says. The column "needs" lists the chapters that the chapter of the row
+includes directly. The chapters of the folder base/ are not listed in this column.
 
 | chapter | what it is about | lines | flash | needs |
 |---|---|---|---|---|

@@ -115,9 +115,9 @@ int main(int argc, char **argv)
     for (i = 0; i < count; i++) lost += !try_problem(&g, i);
     for (i = VM_ROUTE_ATEB; i < ROWS; i++)
         if (tallies[i].runs) print_row(i);
-    printf("\nThe number of problems whose exact motion could not be computed is %d of %d. In %d problems `vm_osc_plan_within`\n"
-           "returned the status VM_OK, which says that the estimated error is within the tolerance. In %d of these problems, which\n"
-           "is %.3f %% of them, the true error was above the tolerance.\n", lost, count, within->ok, within->above,
+    printf("\nThe exact motion could not be computed in %d of the %d problems. In the other problems `vm_osc_plan_within`\n"
+           "returned %d times the status VM_OK, which says that the estimated error is within the tolerance. In %d of these\n"
+           "cases, which is %.3f %% of them, the true error was above the tolerance.\n", lost, count, within->ok, within->above,
            100. * within->above / fmax(within->ok, 1));
     CHECK(lost <= count / 50);
     CHECK(100 * random_above(within, 3) <= within->n);    /* the true error is above 3 estimates in 1 % at most */

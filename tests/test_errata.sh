@@ -52,9 +52,10 @@ is right instead. The table below has a row for each such item. The command `sh 
 from tests/data/errata.txt.
 
 - The column "equation" names the place in the dissertation; for example, (16) means equation 16, and T3.6 means row 6 of Table 3.
-- The verdict "wrong" means that the printed formula or number gives wrong results where it is used. The verdict "misprint" means
-  a slip, such as a wrong sign, that no later result of the dissertation contains. The verdict "ambiguous" means that the printed
-  text can be read in several ways, of which only one is right.
+- The verdict "wrong" means that the printed formula, number or statement is really meant and is false, so that results that are
+  computed with it are wrong. The verdict "misprint" means a slip of writing, such as a wrong sign: the dissertation itself goes
+  on with the right form, so that its later results do not contain the slip. The verdict "ambiguous" means that the printed text
+  can be read in several ways, of which only one is right.
 - The column "how it was checked" shows how far the printed form and the corrected form are from the truth: it gives their errors,
   or their values and the true value. If only one number is given, such as 3e-15, this number is the error of the corrected form.
   The truth is, for example, an exact solution, or a motion that was integrated numerically from the right equations. In this
@@ -63,13 +64,16 @@ from tests/data/errata.txt.
   "Reading" means that the text was only read, and that nothing was computed. If the column "how it was checked" is empty, the
   column "what is true" has the numbers, if there are any.
 - The last column, "tests", has the names of the tests that compute the item with numbers; the test NAME is the file
-  tests/test_NAME.c. For each item that has a test, the test has a call ERRATUM("equation", ...) that begins with the words of the
-  column "equation". This call checks that the printed form of the equation is wrong and that the corrected form is right.
+  tests/test_NAME.c. For each item that has a test, the test calls the macro ERRATUM. The first argument of the call repeats the
+  cell of the column "equation", as in ERRATUM("(16)", ...). The call checks that the printed form of the equation is wrong and
+  that the corrected form is right.
 - In the formulas S is the mass centre of the initial body, S1 the mass centre of the final body, and S2 the mass centre of the
-  part that joins or leaves. The letters O and Om mean an angular velocity Omega; O1 and Om1 mean Omega_1, Or means Omega_r, Or1
-  means Omega_r1, and Ob means Omega_b. The letter w means the Greek letter omega. For a column vector d, P(d) means the matrix
-  |d|^2 E - d d^T, where E is the unit matrix. The letters a and alpha mean the exponent of the elastic force. The
-  [glossary](glossary.md) has the other symbols.
+  part that joins or leaves. The letters O and Om mean an angular velocity Omega; only in dL_O, I^M_O, "about O" and O=S is O a
+  point, the origin of the position vectors. O1 and Om1 mean Omega_1, the angular velocity of the final body, and O2 and Om2 mean
+  Omega_2, that of the part. Or means Omega_r and Or1 means Omega_r1: these are Omega_2 and Omega_1 relative to the initial body.
+  Ob means Omega_b, the angular velocity before the break or at the start. The letter w means the Greek letter omega. For a column
+  vector d, P(d) means the matrix |d|^2 E - d d^T, where E is the unit matrix. The letters a and alpha mean the exponent of the
+  elastic force. The [glossary](glossary.md) has the other symbols.
 
 END
     awk -F'\t' '$2 != "verified" {n[$2]++; if ($6 == "") none++} $2 == "verified" {v++} END {

@@ -41,11 +41,11 @@ float.
   row. For example, C2 stands for `C2_ours`, which calls a function of the kit, and for `C2_naive`, which uses the naive formula
   (the usual formula, which goes wrong). The column "at" has the arguments of both functions. Arguments that this column does not
   show are zero.
-- If the text of the first column gives the value of an argument, this is the value in the test in double. The test in float may
-  use other arguments, which the column "at" then shows after "float:". A number in brackets, such as (482), is the number of an
-  equation of the dissertation on which the kit is based. In the first column, a difference "cancels" if nearly equal numbers are
-  subtracted, so that mainly their rounding errors are left. The words "small" and "next to" and the sign "->" mean that an
-  argument is close to a special value, for example to 0.
+- Values of arguments in the first column are those of the test in double. The column "at" also shows the arguments of the test in
+  double. If the test in float uses other arguments, the column "at" shows these as well, after "float:". A number in brackets,
+  such as (482), is the number of an equation of the dissertation on which the kit is based. In the first column, a difference
+  "cancels" if nearly equal numbers are subtracted, so that mainly their rounding errors are left. The words "small" and "next to"
+  and the sign "->" mean that an argument is close to a special value, for example to 0.
 - The column "error" has the error of the function of the kit, and the column "naive" has the error of the naive formula in the
   same precision. The words "no number" mean that the naive formula gives infinity or NaN, or divides by zero. The unit of both
   errors is eps times the true value, or eps times a typical size of the result, such as the largest value of an oscillation. The

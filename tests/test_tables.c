@@ -357,11 +357,12 @@ static void table1(void)
     CHECK(vm_momentum(&whole).x == vm_momentum(&rest).x + vm_momentum(&part).x);
     if (prints)
         puts("\n## Table 1: nomenclature\n\nIn each row, Table 1 of the dissertation has a label, which says what the "
-             "letters of the row mean. But from the second row on, each label is printed one row too high, beside the "
-             "letters of the row above it. The table below shows each printed label, the entries beside it, and the "
-             "label that these entries should have. The column \"here\" has the names that the kit uses. The last "
-             "column has the values for row T4.1 (row 1 of Table 4), in this order: the whole, the rest, the "
-             "part.\n\n| the printed label | entries in its row | their true label | here | values "
+             "letters of the row mean. But each label is printed one row too high, beside the letters of the row above "
+             "its own. For example, the label \"Mass center\" is printed beside the indices -, 1, 2 of the bodies; it "
+             "should be in the next row, beside S, S_1, S_2. The table below shows each printed label, the entries "
+             "beside it, and the label that these entries should have. The column \"here\" has the names that the kit "
+             "uses. The last column has the values for row T4.1 (row 1 of Table 4), in this order: the whole, the "
+             "rest, the part.\n\n| the printed label | entries in its row | their true label | here | values "
              "|\n|---|---|---|---|---|");
     name_row("Mass center", "-, 1, 2", "body (index)", "vm_body whole, rest, part", "");
     name_row("Position of mass center", "S, S_1, S_2", "mass center", "r", "(0, 0) is S");
@@ -406,17 +407,18 @@ static void print_head(void)
          "the same for the rest: **v**_r1 = **v**_S1 - **v**_S - **Ω**×**SS**_1 and Ω_r1 = Ω_1 - Ω. In Tables 2 to 4, "
          "the column \"call\" names the function of the kit that computes the row. The function `vm_separate2` "
          "computes the motion of the rest from **v**_S2 and Ω_2, the motion of the part. (The function "
-         "`vm_separate_relative2` computes the same from **v**_r and Ω_r.) In some rows the angular velocity Ω_1 of "
-         "the rest is given, and the angular velocity Ω_2 of the part must be found. In these rows "
-         "`vm_separation_for_rest2` computes Ω_2, and the third column has the result.\n\nIn Tables 2 to 4, the column "
-         "\"part in the text\" has the motion that the dissertation assumes for the part; the third column has this "
-         "motion in numbers. The column \"rest in the text\" has the dissertation's formula for the motion of the "
-         "rest. The column \"as printed\" has the values that this formula gives. The column \"true\" has the values "
-         "that the kit computes; they are correct, because `make test` compares them with the laws of conservation of "
-         "momentum and angular momentum. The verdict \"holds\" means that the dissertation's formula is right. The "
-         "words \"(cut off)\" mean that the dissertation prints only a part of the formula. If a row has a wrong "
-         "formula for Ω_2 or Ω_r, a row \"corrected\" with the right formula follows. Row T3.8 is followed by one more "
-         "row, \"T3.8 for Ω_1 = 0\", which has the formula for a rest that does not rotate.");
+         "`vm_separate_relative2` computes the same from **v**_r and Ω_r.) In some rows the rest shall get a given "
+         "angular velocity Ω_1, for example 0; the formula in the second column then says which angular velocity the "
+         "part must have. In these rows the kit does not use this formula: `vm_separation_for_rest2` computes Ω_2 from "
+         "Ω_1, and the third column has the result.\n\nIn Tables 2 to 4, the column \"part in the text\" has the "
+         "motion that the dissertation assumes for the part; the third column has this motion in numbers. The column "
+         "\"rest in the text\" has the dissertation's formula for the motion of the rest. The column \"as printed\" "
+         "has the values that this formula gives. The column \"true\" has the values that the kit computes; they are "
+         "correct, because `make test` compares them with the laws of conservation of momentum and angular momentum. "
+         "The verdict \"holds\" means that the dissertation's formula is right. The words \"(cut off)\" mean that the "
+         "dissertation prints only a part of the formula. If a row has a wrong formula for Ω_2 or Ω_r, a row "
+         "\"corrected\" with the right formula follows. Row T3.8 is followed by one more row, \"T3.8 for Ω_1 = 0\", "
+         "which has the formula for a rest that does not rotate.");
 }
 
 int main(int argc, char **argv)

@@ -34,13 +34,15 @@ static void validate_gsl_integrals(void)
         "GSL's elliptic integrals",
         "the GNU Scientific Library (GSL) 2.8, function test_ellint in the file specfunc/test_sf.c",
         "The functions of GSL have the modulus k as parameter; our functions have m = k^2. The characteristic n of the "
-        "integral Pi has the opposite sign in GSL. In the row of jacobi_K_m1, k is 1 - 2^-30. For this k, GSL's own "
-        "test allows an error of 1e-6, because GSL's function gets k and must compute 1 - k^2. In this difference most "
-        "digits cancel, so that its relative error is large. This error does not occur in our function jacobi_K_m1, "
-        "because jacobi_K_m1 gets the number 1 - k^2 itself, here the exact floating-point number 2^-29 - 2^-60.",
-        "The errors of our incomplete integrals are at most 8 ulp. (An ulp is the distance between neighbouring "
-        "floating-point numbers.) The rounding of k^2 and of the angle adds an error of at most 4 eps, where eps is "
-        "2.2e-16 in double. Together these errors are below the tolerance.",
+        "integral Pi has the opposite sign in GSL. The function jacobi_K_m1 computes the integral K from 1 - m instead "
+        "of m. In the row of jacobi_K_m1, k is 1 - 2^-30. For this k, GSL's own test allows an error of 1e-6, because "
+        "GSL's function gets k and must compute 1 - k^2. In this difference most digits cancel, so that its relative "
+        "error is large. This error does not occur in our function jacobi_K_m1, because jacobi_K_m1 gets the number 1 "
+        "- k^2 itself, here the exact floating-point number 2^-29 - 2^-60.",
+        "The error of each of our functions in this table, for complete and for incomplete integrals, is at most 8 "
+        "ulp, where an ulp is the distance between neighbouring floating-point numbers. The rounding of k^2 and of the "
+        "angle adds an error of at most 4 eps, where eps is 2.2e-16 in double. Together these errors are below the "
+        "tolerance.",
         3e-15, 3e-6};
     validation_begin(&group);
     ROW("3.3566005233611923760", jacobi_K(0.99 * 0.99));
@@ -124,9 +126,9 @@ static void validate_boost(void)
         "the repository boostorg/math, commit 99733ebbd (2026), test/test_jacobi.hpp, test_ellint_3.hpp, "
         "ellint_*_data.ipp, ellint_rg.ipp, ibeta_small_data.ipp",
         "The functions of Boost have the modulus k as parameter; our functions have m = k^2. The arguments are binary "
-        "fractions, which are stored without rounding in double and in float. In the table, any_sn stands for the "
-        "function jacobi_sncndn_any, or rather for its first result, which is sn. This function is used for k = 1.5, "
-        "because m is larger than 1 there.",
+        "fractions, which are stored without rounding in double and in float. Our function jacobi_sn serves for m up "
+        "to 1. For k = 1.5, m is 2.25; therefore we use the function jacobi_sncndn_any, which computes sn, cn and dn "
+        "for every m. In the table, any_sn stands for the first of its three results, sn.",
         "The bounds of the errors of our functions are 9 ulp for sn, cn and dn, and at most 8 ulp for the other "
         "functions except ateb_beta_inc. (An ulp is the distance between neighbouring floating-point numbers.) The "
         "bound of ateb_beta_inc, 30 ulp, is larger than the tolerance, but the errors at the arguments of the table "

@@ -99,9 +99,10 @@ static void validate_cv_rocket(void)
         "CVODE's rocket, as printed",
         "the file examples/cvode/serial/cvRocket_dns.out of LLNL/sundials 7.5.0",
         "This example of the integrator CVODE computes the flight of a rocket. We compute the same flight by "
-        "`rk87_solve` with two events. The first event happens at the height of 4000 ft: the engine stops, and the "
-        "integration starts again from this point (`ODE_RESTART`). The second event is the apogee, the highest point "
-        "of the flight, where the velocity is 0. The tolerance of `rk87_solve` is 1e-13.",
+        "`rk87_solve`, an integrator of varmass, which also finds two events, that is, two special moments of the "
+        "flight. The first event happens at the height of 4000 ft: the engine stops, and the integration starts again "
+        "from this point (`ODE_RESTART`). The second event is the apogee, the highest point of the flight, where the "
+        "velocity is 0. The tolerance of `rk87_solve` is 1e-13.",
         "CVODE ran with a relative tolerance of 1e-5 and absolute tolerances of 0.01 ft and 0.1 ft/s in each step, and "
         "the errors of all steps add up. The differences in the table are errors of CVODE: our numbers are more "
         "accurate, as the section \"CVODE's rocket, exactly\" shows.",
@@ -111,8 +112,9 @@ static void validate_cv_rocket(void)
         "the exact flight of CVODE's rocket, by a formula with an exponential integral, which the Python library "
         "mpmath evaluated to 40 digits",
         "Our numbers are the same as in the previous table, from the same run of `rk87_solve`. Now they are compared "
-        "with the exact flight instead of CVODE's numbers. If CVODE's numbers are compared with the exact flight, too, "
-        "the relative errors of CVODE are found. These errors are 3e-5 in the time of the cutoff (at which the engine "
+        "with the exact flight instead of CVODE's numbers: in this table, the column \"published\" has exact numbers, "
+        "which we have computed by the formula. If CVODE's numbers are compared with the exact flight, too, the "
+        "relative errors of CVODE are found. These errors are 3e-5 in the time of the cutoff (at which the engine "
         "stops), 7e-5 in the time of the apogee and 1.2e-4 in the height of the apogee.",
         "Our run of `rk87_solve` has the tolerance 1e-13 for each step, and the errors of all steps add up.",
         1e-12, 1e-5};
@@ -161,10 +163,11 @@ static void validate_arenstorf(void)
         "Arenstorf's orbit",
         "equations (0.1) and (0.2) in section II.0 of Hairer, Norsett and Wanner, Solving Ordinary Differential "
         "Equations I, 2nd edition",
-        "Arenstorf's orbit is a periodic orbit of a light body that is attracted by two heavy ones. We compute the "
-        "orbit by `rk87_solve` with the tolerance 6e-14. In a first run, an event finds the end of the period, at "
-        "which the coordinate y2 becomes 0 and then negative. A second run ends after the published period. At the end "
-        "of this second run the light body must be back at its start, (y1, y2) = (0.994, 0).",
+        "Arenstorf's orbit is a periodic orbit of a light body that is attracted by two heavy ones. The coordinates of "
+        "the light body are y1 and y2; it starts at (y1, y2) = (0.994, 0). We compute the orbit by `rk87_solve` with "
+        "the tolerance 6e-14. In a first run, an event finds the end of the period, when y2 changes from positive to "
+        "negative. A second run ends after the published period. At the end of this second run the light body must be "
+        "back at its start.",
         "The orbit is unstable: an error at the start becomes 14 000 times as large in one period. So an error of "
         "6e-14 at the start becomes almost 1e-9.",
         1e-9, 0};
@@ -213,8 +216,9 @@ static void validate_pleiades(void)
         "We compute the motion of the seven stars by `rk87_solve` with the tolerance 6e-14 for all 28 unknowns, which "
         "are coordinates and velocities. The table has the 14 coordinates of the stars, but not their velocities.",
         "Stars 1 and 7 pass each other at a distance of only 0.034, and this enlarges errors: for example, an error of "
-        "the coordinate x1 at the start becomes 31 times as large until the end of the motion. The published solution "
-        "has 16 digits, so that its rounding is not important here.",
+        "the coordinate x1 at the start becomes 31 times as large until the end of the motion. The tolerance allows "
+        "the integrator an error of 6e-14 in each step; these errors are enlarged, too, and add up. The published "
+        "solution has 16 digits, so that its rounding is not important here.",
         1e-10, 0};
     static const char *const published[14] = {
         "0.3706139143970502", "3.237284092057233",  "-3.222559032418324", "0.6597091455775310", "0.3425581707156584",
@@ -336,13 +340,15 @@ static void validate_tsiolkovsky(void)
     static const validation_group group = {
         "Tsiolkovsky's rocket",
         "Wikipedia, Tsiolkovsky rocket equation, section Examples (read in 2026)",
-        "We call `vm_tsiolkovsky(0, 1, m, -4500)`, where m is the fraction of the mass that is left at the end, and "
-        "4500 m/s is the exhaust velocity. The rest of the mass at the start is propellant. The first row of the table "
-        "is for a rocket that reaches an orbit with one stage. The other two rows are for the two stages of a second "
-        "rocket.",
+        "We call `vm_tsiolkovsky(0, 1, m, -4500)`. Its arguments are the velocity at the start, 0; the mass at the "
+        "start, which is taken as 1; the mass m at the end; and the velocity of the exhaust relative to the rocket, "
+        "which is 4500 m/s backward and therefore negative. The propellant is the part 1 - m of the mass. The first "
+        "row of the table is for a rocket that reaches an orbit with one stage. The other two rows are for the two "
+        "stages of a second rocket.",
         "The published fractions of propellant, such as 0.884 in the first row, have three decimals. So the fraction m "
         "= 1 - 0.884 = 0.116 has a relative error of up to 0.4 %. The velocity is proportional to ln(1/m). Therefore "
-        "the relative error of the velocity is 0.4 % divided by ln(1/0.116) = 2.2, which is 0.2 %.",
+        "the relative error of the velocity is smaller: it is 0.4 % divided by 2.2, the value of ln(1/0.116), and so "
+        "it is 0.2 %.",
         2e-3, 2e-3};
     validation_begin(&group);
     validation_row("velocity with 88.4 % of propellant, m/s", "9700", (double)vm_tsiolkovsky(0, 1, VM_C(0.116), -4500));

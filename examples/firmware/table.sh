@@ -165,16 +165,19 @@ names in its first column are the headings of the columns in the tables for floa
 | RV32IMAFDC | RISC-V with float and double in hardware |
 
 Each function was called with 300 random sets of arguments (only `vm_osc_closed_init` with 10), and then with some difficult
-arguments. Difficult arguments are the ends of the intervals of allowed arguments, the large argument u = 1e9 (in float 1e4), and
-values of the elliptic parameter m that are next to 1. The script examples/firmware/table.sh lists all difficult arguments. In
-most rows, the random arguments are m from -10 to 1, u and s from -100 to 100, and alpha from 0 to 10; the comments above the
-functions explain these letters. For functions of bodies, the random bodies in space have three different moments of inertia, a
-random attitude and a random motion. With other arguments than these, a call may need a larger stack or more instructions than the
-tables say.
+arguments. Jacobi's elliptic functions (`jacobi_sncndn`) have the argument u and the parameter m, and the integrals `jacobi_K` and
+`jacobi_E` have only m. The Ateb functions (`ateb_saca`), which describe nonlinear vibrations, have the argument s and the
+exponent alpha. In most rows with these arguments, the random numbers are m from -10 to 1, u and s from -100 to 100, and alpha
+from 0 to 10. Difficult arguments are the ends of the intervals of allowed arguments, the large arguments u = 1e9 and s = 1e9 (in
+float 1e4), and values of m that are next to 1. The script examples/firmware/table.sh lists all difficult arguments. The functions
+`vm_separate`, `vm_attach`, `vm_torque_free_init` and `vm_torque_free_attitude` are for bodies in space; in their calls, the
+bodies have three different moments of inertia, a random attitude and a random motion. With other arguments than these, a call may
+need a larger stack or more instructions than the tables say.
 
 A plan is a struct of numbers that are computed once and then used in many calls. In the rows of `jacobi_plan_sncndn` and
 `ateb_plan_saca` the number for flash includes the code that computes the plan. A program does not need this code if its plan was
-computed on a PC and is a constant in flash. The following list says what some of the other rows compute:
+computed on a PC and is a constant in flash. The following list explains some other functions in the first column of the tables
+for float and double:
 
 - `vm_osc_closed_at` computes the motion of an oscillator whose mass grows; the exponent alpha of its spring force is 1.7. The
   function uses an approximate formula (law) of order two, three or five; the first column names the order. The plan of this
@@ -185,14 +188,15 @@ computed on a PC and is a constant in flash. The following list says what some o
 - `vm_torque_free_attitude` computes the attitude of a rotating body without torque, at times from -1000 s to 1000 s. The function
   `vm_torque_free_init`, which must be called once before, has a row of its own. The code that both functions use is counted only
   in the flash of the row of `vm_torque_free_init`.
-- `vm_scene_rhs` and `rk4_step of the scene` compute with a scene, which is a list of bodies, forces and events. The scene of
-  these two rows is a tray that loses its load; a damper and a spring act on the tray. The force of the spring is proportional to
-  a power of its extension, whose exponent is a random number from 1 to 4. A call of `vm_scene_rhs` evaluates the equation of
-  motion of the tray once, and a call of `rk4_step` evaluates it four times. The flash of the function `vm_scene_start`, which
-  must be called once before, is not counted in these two rows. [scene-sizes.md](scene-sizes.md) says how much flash whole
-  programs with scenes need.
+- The rows `vm_scene_rhs (3 effects)` and `rk4_step of the scene` are for the motion of a scene, which is a list of bodies, forces
+  and events. The function `rk4_step` makes one step of the integrator rk4. The scene of these two rows is a tray that loses its
+  load; a damper and a spring act on the tray. The force of the spring is proportional to a power of its extension, whose exponent
+  is a random number from 1 to 4. A call of `vm_scene_rhs` evaluates the equation of motion of the tray once, and a call of
+  `rk4_step` evaluates it four times. The flash of the function `vm_scene_start`, which must be called once before, is not counted
+  in these two rows. [scene-sizes.md](scene-sizes.md) says how much flash whole programs with scenes need.
 - The rows `rk4_step` and `rk45_step` compute one step of the motion of an oscillator with the equation x'' = -x^3. For
-  `rk45_step` this is the first step of an integration.
+  `rk45_step`, the step is the first step of an integration. The first step usually takes more instructions than a later step,
+  because `rk45_step` must first choose the length of the step.
 
 ![instructions of a call](figures/firmware.svg)
 END

@@ -1,10 +1,10 @@
 /* A spring that stiffens. The equation of motion of a mass on a cubic spring is x'' + x^3 = 0. Equation (262) gives the period of
    the vibration, which is shorter if the amplitude is larger. By equation (282), the exact motion x(t) is the amplitude times
-   ca(3, 1, s), where ca is the Ateb cosine, a function similar to the cosine, and s is proportional to the time. If the force of
-   the spring is x |x|^(alpha-1) instead of x^3, the function in the exact motion is ca(alpha, 1, s). For the cubic spring the
-   program compares two other formulas with the exact motion. The first formula, (291), is a cosine with the exact period; its
-   error is up to 7 % of the amplitude. The second formula, (297), contains Jacobi's function cn. For the cubic spring this
-   formula is exact, and its error in the output is only an error of rounding.
+   ca(3, 1, s), where ca is the Ateb cosine, a function similar to the cosine. The argument 3 is the power of x in the force, the
+   argument 1 is fixed, and s is proportional to the time. For the force x |x|^(alpha-1) the first argument is alpha instead of 3.
+   For the cubic spring the program compares two other formulas with the exact motion. The first formula, (291), is a cosine with
+   the exact period; its error is up to 7 % of the amplitude. The second formula, (297), contains Jacobi's function cn. For the
+   cubic spring this formula is exact, and its error in the output is only an error of rounding.
 
    cc -O2 02_cubic_spring.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* A rocket rises. A rocket of mass M and velocity v = x' loses gas at the rate M' = -5 kg/s. By equations (175) and (176),
    M x'' = -M g + M' (u - v), where u is the velocity of the gas. Here u - v is -2000 m/s, so that the thrust M' (u - v) is
-   upward. The integrator rk45 computes the motion, and finds the time at which the fuel is used up. At 60 s the program compares
-   the computed v with Tsiolkovsky's formula for a rocket without weight, less g t, the velocity that the weight takes away.
+   upward. The integrator rk45 computes the motion, and finds the time at which the fuel is used up. The weight lowers v by g t.
+   Therefore the program compares v at 60 s with Tsiolkovsky's formula for a rocket without weight, less g t.
 
    cc -O2 04_rocket.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

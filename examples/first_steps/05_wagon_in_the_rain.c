@@ -1,6 +1,6 @@
 /* A wagon in the rain. A wagon rolls along a rail without friction, and rain falls straight down into the wagon. The rain has no
    velocity along the rail, so that the momentum M v of the wagon stays the same. Therefore the velocity v of the wagon falls as
-   the mass M grows. In equations (151) and (170) of the dissertation, the velocity u of the mass that joins is 0 for this rain.
+   the mass M grows. In equations (151) and (170), u is the velocity of the mass that joins; along the rail u is 0 for this rain.
    After 60 s the rain stops, and the wagon begins to leak. The water leaves with the velocity of the wagon, so that now the
    velocity v stays the same. The classic mistake is to think that the momentum M v still stays the same while the wagon leaks, so
    that v would grow again. In fact the momentum falls, because the water that leaks out takes its share of the momentum away. In

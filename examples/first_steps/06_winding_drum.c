@@ -3,8 +3,9 @@
    gives the angular velocity Omega for each angle phi, and equation (197) gives the time at which the drum has turned through
    phi. At the start Omega is 10 rad/s. The program computes the motion for three values of D, the damping of the drum. With D = 0
    the band drives the drum, and Omega tends to v/R = 12 rad/s, where R is the radius of the drum. With D = 0.00156 N m s, Omega
-   stays 10 rad/s, because this D is equal to mu R (v - R Omega), where mu is the mass of the band per radian. With the largest D
-   the drum cannot turn beyond a certain angle, the last number of its row; "inf" means that there is no such limit.
+   stays 10 rad/s, because the torque D Omega of the damping is then equal to mu R (v - R Omega) Omega, the torque by which the
+   band drives the drum; mu is the mass of the band per radian. With the largest D the drum cannot turn beyond a certain angle,
+   the last number of its row; "inf" means that there is no such limit.
 
    cc -O2 06_winding_drum.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,8 +1,8 @@
 /* A self-excited vibration whose mass grows. Equation (404), m x'' + x = (feed - c x^2) x' - m' x', describes a Van der Pol
    oscillator whose mass m grows. The constants feed and c describe a damping that feeds energy to small vibrations and takes
-   energy from large ones. Any amplitude at the start, here 0.3 or 3, tends to the steady value that equation (425) gives. This
-   steady amplitude is smaller than 2 sqrt(feed/c), the steady amplitude with constant mass, because mass that joins at rest slows
-   the motion down. A closed formula gives the amplitudes in the output and in the figure; the integrator rk45 computes x(t).
+   energy from large ones. Any amplitude at the start, here 0.3 or 3, tends to the steady value of equation (425). This value is
+   smaller than 2 sqrt(feed/c), the steady amplitude with constant mass, because mass that joins at rest slows the motion. A
+   closed formula gives the amplitudes in the output and in the figure; the integrator rk45 computes x(t) for the figure.
 
    cc -O2 09_growing_van_der_pol.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,8 +1,8 @@
-/* A satellite throws off a panel. A satellite turns about the axis of the middle one of its three moments of inertia. This
-   rotation is unstable: the satellite tumbles again and again. At t = 250 s a spring pushes off a panel; the equations (15), (24)
-   and (34) give the angular velocity just after the separation. Without the panel, the moment of inertia about the same axis is
-   the largest of the three, and from then on the satellite only wobbles. Apart from the separation no torque acts on the
-   satellite. Therefore vm_torque_free_attitude computes the attitude and the angular velocity at any time without integration.
+/* A satellite throws off a panel. A satellite turns about the axis whose moment of inertia is neither the largest nor the
+   smallest. This rotation is unstable: the satellite tumbles again and again. At t = 250 s a spring pushes off a panel; the
+   equations (15), (24) and (34) give the angular velocity just after the separation. Without the panel, the moment of inertia
+   about the same axis is the largest, and the satellite only wobbles. Apart from the separation no torque acts on the satellite.
+   Therefore vm_torque_free_attitude computes the attitude and the angular velocity at any time without integration.
 
    cc -O2 10_satellite.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

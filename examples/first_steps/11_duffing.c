@@ -1,12 +1,12 @@
 /* A Duffing oscillator whose mass grows. A spring with the force k1 x + k3 x^3, where k1 = 100 N/m and k3 = 20000 N/m^3, holds a
-   box of 2 kg. Each second 0.02 kg of sand trickle into the box. The equation of motion of the box is
-   m x'' + k1 x + k3 x^3 = -(b + m') x', with the mass m and the damping b. For a constant mass and b = 0, the function
-   vm_duffing_exact_from computes x exactly. If mass and damping change slowly, the function vm_odd_plan_within tries two
-   approximate methods. The first method, "mean motion" in the output, uses averaged equations, which describe the slow changes of
-   amplitude and phase. The second method, "with ripple", adds to the mean motion the small swing of amplitude and phase within
-   each vibration. If the estimated error of both methods is too large, vm_odd_plan_within integrates the equation of motion. Here
-   it does so from t = 40 s on, when the program asks for an error of 1e-8 instead of 1e-4. The function vm_duffing_force
-   describes the spring force k1 x + k3 x^3. For any other odd spring force (one with F(-x) = -F(x)), use vm_odd_force_user.
+   box of 2 kg. Each second 0.02 kg of sand trickle into the box. The equation of motion is m x'' + k1 x + k3 x^3 = -(b + m') x',
+   with mass m and damping b. For a constant mass and b = 0, the function vm_duffing_exact_from computes x exactly. If mass and
+   damping change slowly, the function vm_odd_plan_within tries two approximate methods. The first method, "mean motion" in the
+   output, uses averaged equations, which describe the slow changes of amplitude and phase. The second method, "with ripple", adds
+   to the mean motion the small swing of amplitude and phase within each vibration. If the estimated error of both methods is too
+   large, vm_odd_plan_within integrates the equation of motion. Here it does so from t = 40 s on, because from then on the allowed
+   error is 1e-8 of the amplitude instead of 1e-4. The function vm_duffing_force describes the spring force k1 x + k3 x^3. For any
+   other odd spring force (one with F(-x) = -F(x)), use vm_odd_force_user.
 
    cc -O2 11_duffing.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

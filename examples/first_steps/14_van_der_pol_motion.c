@@ -1,11 +1,11 @@
 /* The motion of a Van der Pol oscillator long after its start. Equation (404), m x'' + k x = (feed - c x^2) x' - m' x', describes
    a Van der Pol oscillator with the mass m, the stiffness k and two constants, feed and c. The program computes two motions of
    such an oscillator. In the first motion mass and stiffness are constant. The program computes this motion by an approximate
-   formula for x(t), the law of order three, which takes the same computing time for every t. In the second motion mass joins the
-   oscillator, and its spring becomes softer; therefore the program sets the fields mass and stiffness of the struct vm_vdp to
-   functions of time. The function vm_vdp_plan_within computes this motion by an approximate formula, too, or by integration if
-   the estimated error of the formula is too large. The second motion ends before t = 1000 s, when the stiffness would be 0. In
-   the output, the limit cycle is the steady vibration to which the first motion tends.
+   formula for x(t), the law of order three (a higher order is more accurate), which takes the same computing time for every t. In
+   the second motion mass joins the oscillator, and its spring becomes softer; therefore the program sets the fields mass and
+   stiffness of the struct vm_vdp to functions of time. The function vm_vdp_plan_within computes this motion by an approximate
+   formula, too, or by integration if the estimated error is too large. The second motion ends before t = 1000 s, because the
+   stiffness falls to 0 at this time. In the output, the limit cycle is the steady vibration to which the first motion tends.
 
    cc -O2 14_van_der_pol_motion.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

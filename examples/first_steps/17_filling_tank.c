@@ -1,6 +1,6 @@
-/* A satellite whose tank is filled in orbit. A satellite turns, with a little wobble, about the axis of its tank, while 300 kg of
-   liquid flow into the tank. The function vm_supply_at computes level, mass centre and inertia of the liquid. The liquid arrives
-   without angular momentum, so the satellite turns more slowly in the end. In the output, the part "from nowhere" is an error.
+/* A satellite whose tank is filled in orbit. A satellite turns, with a little wobble, about the axis of its tank, into which
+   300 kg of liquid flow. The function vm_supply_at computes level, mass centre and inertia of the liquid. The liquid brings no
+   angular momentum, so the satellite turns more slowly. In the output, angular momentum "from nowhere" is a numerical error.
 
    cc -O2 17_filling_tank.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -1,10 +1,10 @@
 /* Two coupled buckets. Two equal buckets of sand roll on a level floor. Each bucket is held by its own spring, and a weak spring
    of 0.01 N/m connects the two buckets. Both buckets lose sand at the same rate. They start in phase, with the amplitudes 1 m and
-   0.5 m. If the springs of the buckets are linear (alpha = 1 in the output), the buckets exchange their amplitudes again and
-   again. If the force of these springs is x^3 (alpha = 3), the amplitudes are not exchanged: the bucket with the larger amplitude
-   vibrates faster, so that the two buckets are soon out of phase. The program computes the two amplitudes by averaged equations,
-   and for comparison by integration of the equations of motion; the output has a column for each bucket. The ratio of the
-   frequencies of the buckets, set by the field `vibrations` of vm_grounded_pair, is 1 to 1 here; it can also be, say, 1 to 3.
+   0.5 m. The force of each bucket's own spring is x |x|^(alpha-1). With alpha = 1 (linear springs) the buckets exchange their
+   amplitudes again and again. With alpha = 3 the amplitudes are not exchanged: the bucket with the larger amplitude vibrates
+   faster, so that the two buckets are soon out of phase. The program computes the two amplitudes by averaged equations, and for
+   comparison by integration of the equations of motion; the output has a column for each bucket. The field `vibrations` of
+   vm_grounded_pair tells the averaged equations at which ratio of their frequencies the buckets can exchange energy, here 1 to 1.
 
    cc -O2 19_two_coupled_buckets.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

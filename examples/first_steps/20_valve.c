@@ -1,9 +1,9 @@
 /* A force that is not harmonic. A valve pushes and pulls a piston of 1 kg with a periodic force of up to 0.01 N. The frequency of
-   this force is nu, and 16 values describe the force within one period. A spring with the force x^3 holds the piston. If the
-   piston vibrates once in a period of the force, the first harmonic of the force drives the piston; if the piston vibrates three
-   times in a period, the third harmonic drives it. By averaged equations, without integration, the program computes the amplitude
-   A of the steady vibration. As a check, the program integrates the motion over 100 periods of the force; "by integration" is the
-   amplitude at the end. The figure shows the shape of the force and x in the next two periods, for the last row of the output.
+   this force is nu, and 16 values describe the force within one period. A spring with the force x^3 holds the piston, whose
+   position is x. The first harmonic of the force drives the piston if it vibrates once in a period of the force, the third
+   harmonic if it vibrates three times. By averaged equations, without integration, the program computes the amplitude A of the
+   steady vibration. As a check, the program integrates the motion over 100 periods of the force; "by integration" is the
+   amplitude at the end. For the last row of the output, the figure shows two more periods of the shape of the force and of x.
 
    cc -O2 20_valve.c -lm && ./a.out [file.csv] */
 #include <stdio.h>

@@ -7,10 +7,9 @@ mkdir -p "$build" || exit 1
 {
     echo '# First steps'
     echo
-    echo 'The command `make first-steps` writes this page: it builds and runs short example programs, and draws a figure for each program.'
-    echo
-    echo "Each section describes one of $(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines, and shows what the program prints and its figure. The comment"
-    echo "at the top of a program contains the command that compiles it. A number in round brackets, such as (325), is the number of an"
+    echo "Each section of this page describes one of $(ls examples/first_steps/*.c | wc -l) programs of less than 60 lines, and shows what the program prints and its"
+    echo "figure. The comment at the top of a program contains the command that compiles it. The command \`make first-steps\` writes this"
+    echo "page: it builds and runs the programs, and draws the figures. A number in round brackets, such as (325), is the number of an"
     echo "equation in Cveticanin's dissertation *Dynamics of Mass Variable System*. Names that begin with vm_ are functions and structs of"
     echo "the header varmass.h of the kit varmass. In formulas a prime means d/dt, the time derivative. If the output of a program counts"
     echo "evaluations, an evaluation is one call of the function that computes the derivatives in the differential equation."

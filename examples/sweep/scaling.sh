@@ -34,8 +34,8 @@ awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 
     print "After each round the first rank gathers the results of all ranks: 240 bytes for each block. In one round these are 15 MB for a"
     print "thousand ranks, and it takes 1.5 ms to send them at 10 GB/s. The ranks pass the messages on to each other in ten stages, until the"
     print "first rank has them. Each stage has a delay of only some microseconds, which adds almost nothing to the 1.5 ms. At the end of a"
-    print "round all ranks wait for the slowest rank. This wait is short, because the times of blocks differ only by a few per cent. If each"
-    print "round loses only these 1.5 ms, the efficiency is"
+    print "round all ranks wait for the slowest rank. This wait is neglected here: the times of single blocks differ by a few per cent, but"
+    print "the times of 64 blocks differ less. If each round loses only the 1.5 ms for sending, the efficiency is"
     printf "%.0f %%.\n\n", 100 * round / (round + 0.0015)
     print "The efficiency is lower if the sweep stores the results of finished blocks in a file. The file grows by 15 MB in each round,"
     printf "that is, by %.0f MB in each second of computing. If the disk can write 200 MB/s, and no rank computes while the disk writes, the\nefficiency is %.0f %%.\n", \
