@@ -52,8 +52,8 @@ is right instead. The table below has a row for each such item. The command `sh 
 from tests/data/errata.txt.
 
 - The column "equation" names the place in the dissertation; for example, (16) means equation 16, and T3.6 means row 6 of Table 3.
-- The verdict "wrong" means that the printed formula, number or statement is really meant and is false, so that results that are
-  computed with it are wrong. The verdict "misprint" means a slip of writing, such as a wrong sign: the dissertation itself goes
+- The verdict "wrong" means that the printed formula, number or statement is false, and not only misprinted, so that results that
+  are computed with it are wrong. The verdict "misprint" means a slip of writing, such as a wrong sign: the dissertation itself goes
   on with the right form, so that its later results do not contain the slip. The verdict "ambiguous" means that the printed text
   can be read in several ways, of which only one is right.
 - The column "how it was checked" shows how far the printed form and the corrected form are from the truth: it gives their errors,
