@@ -780,6 +780,18 @@ static void test_beta_inverse_of_small(void)
     }
 }
 
+/* For an x so small that a product with it may underflow: x^a/(a B(a, b)) by mpmath */
+static void test_beta_of_subnormal(void)
+{
+    const int is_double = VM_MANT_DIG > 24;
+    const vm_real x = (vm_real)ldexp(1, is_double ? -1070 : -146);
+    const double slow = is_double ? 8.265506025354488429449e-6 : 0.1833960633643274250229; /* a = 1/64, b = 1/8 */
+    const double quick = is_double ? 6.540748380655208565708e-81 : 2.257129312073169080836e-11; /* a = 1/4, b = 16 */
+    check_error("beta_inc", "x subnormal", "ulp", ERROR_ULP(ateb_beta_inc(x, (vm_real)0.015625, (vm_real)0.125), slow, 0), 2,
+                (double)x, 1 / 64.);
+    check_error("beta_inc", "x subnormal", "ulp", ERROR_ULP(ateb_beta_inc(x, (vm_real)0.25, 16), quick, 0), 2, (double)x, 0.25);
+}
+
 static void test_beta_domain(void)
 {
     const vm_real half = (vm_real)0.5, below = -half, above = 1 + half;
@@ -954,6 +966,7 @@ int main(void)
     test_beta();
     test_beta_corners();
     test_beta_inverse_of_small();
+    test_beta_of_subnormal();
     test_beta_domain();
     test_beta_limits();
     test_ln_beta();
