@@ -33,6 +33,8 @@ bare() {
 }
 of() {
     for header in "$@"; do
+        header=${header%.h}
+        [ -f "$root/$header.h" ] || { echo "stamp.sh: no such header: $header.h" >&2; return 1; }
         printf '%s.h %08x\n' "$header" "$(bare "$root/$header.h" | cksum | cut -d' ' -f1)"
     done | paste -s -d , - | sed 's/,/, /g'
 }

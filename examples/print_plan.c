@@ -38,9 +38,14 @@ static void print_numbers(const char *before, const vm_real *x, int n, const cha
     printf("%s", after);
 }
 
+/* Prints the lines before the numbers. A program that computes in the other precision does not compile with the plan. */
 static void print_head(const char *type, const char *what, size_t size, const char *name)
 {
-    printf("/* %s, %s, %u bytes */\n", what, sizeof(vm_real) == sizeof(float) ? "float" : "double", (unsigned)size);
+    const int is_float = sizeof(vm_real) == sizeof(float);
+    printf("/* %s, %s, %u bytes */\n", what, is_float ? "float" : "double", (unsigned)size);
+    printf("#if VM_MANT_DIG %s 24\n", is_float ? ">" : "<=");
+    printf("#error \"this plan is for %s VM_USE_FLOAT\"\n", is_float ? "float: define" : "double: do not define");
+    printf("#endif\n");
     printf("static const %s %s = {\n", type, name);
 }
 

@@ -78,6 +78,12 @@ for precision in double float; do
         i=$((i + 1))
     done
 done
+refused_by() { # refused_by PRECISION FLAG: a program of the other precision does not compile with the plans, and says why
+    ! $cc -std=c99 $2 -I. -I"$build/$1" -fsyntax-only "$build/compare.c" 2>"$build/said" && grep -q "this plan is for $1" "$build/said"
+}
+check "a plan for float is refused in double" refused_by float ""
+check "a plan for double is refused in float" refused_by double -DVM_USE_FLOAT
+
 ateb_round_trip() { # ateb_round_trip PRECISION ALPHA ACCURACY : the printed plan has the bits that init computes
     folder=$build/$1 float=
     [ $1 = float ] && float=-DVM_USE_FLOAT

@@ -428,7 +428,6 @@ static void check_rods(void)
    where k is the field `rate`: it falls as (1 + k t) e^(-k t). */
 static void check_rod_too_long(void)
 {
-    const vm_vec3 origin = stage_vec(0, 0, 0);
     const double excess = 2e-6, rate = 1.5, t = 2;
     vm_joint list[1];
     const vm_joints joints = joints_of(list, 1, rate);

@@ -1,5 +1,8 @@
 /* This file is written by examples/print_plan ateb 3, built with -DVM_USE_FLOAT */
 /* alpha = 3, accuracy 0 (0: full), float, 184 bytes */
+#if VM_MANT_DIG > 24
+#error "this plan is for float: define VM_USE_FLOAT"
+#endif
 static const ateb_plan plan = {
     {VM_C(2.62205744), VM_C(1.16395398e-07)},
     {VM_C(2.62109375), VM_C(0.000963687897), VM_C(1.16395398e-07)},
