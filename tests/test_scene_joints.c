@@ -439,7 +439,7 @@ static void check_rod_too_long(void)
     list[0] = vm_joint_rod(0, origin, VM_GROUND, origin, 3);
     stage_effect(&s, vm_effect_joints(&joints));
     begin(&s);
-    run(&s, REAL(t), VM_OK);
+    run(&s, t, VM_OK);
     vm_scene_body_at(&s.scene, 0, s.y, &now);
     agrees("rod too long", "deviation", REAL(((double)size_of(now.r) - 3) / excess), (1 + rate * t) * exp(-rate * t), 1, 1e-4);
 }
