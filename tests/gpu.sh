@@ -24,5 +24,6 @@ check "the bits of tests/data/golden.txt" diff tests/data/golden.txt "$build/lin
 for precision in "" -DVM_USE_FLOAT; do
     check "examples/cuda compiles $precision" nvcc -std=c++14 -O3 $options $precision -I. examples/cuda/oscillators.cu -o "$build/oscillators"
     check "examples/cuda: the bits of the CPU $precision" "$build/oscillators"
+    cat "$build/log" # its times
 done
 check_finish gpu
