@@ -304,11 +304,48 @@ static void test_middle_slope(void)
     for (extreme = 0; extreme < STAGES; extreme++) {
         for (i = 0; i < VMI_K + STAGES; i++) w[i] = 1;
         w[VMI_K + extreme] = 5;
-        vmi_take_middle_slope(STAGES, sys, R(0.5));
-        CHECK(w[VMI_Z] == R(2.5)); /* 1 + 0.5 * (1 + 5)/2 */
+        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)) && w[VMI_Z] == R(2.5)); /* 1 + 0.5 * (1 + 5)/2 */
         w[VMI_K + extreme] = -3;
-        vmi_take_middle_slope(STAGES, sys, R(0.5));
-        CHECK(w[VMI_Z] == R(0.5));
+        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)) && w[VMI_Z] == R(0.5));
+        w[VMI_K + extreme] = -VM_INFINITY;
+        CHECK(!vmi_take_middle_slope(STAGES, sys, R(0.5)));
+    }
+}
+
+/* f jumps in the middle of a step of the size h, and is infinite at times between two fractions of h. */
+typedef struct pole_and_jump {
+    vm_real h, from, to;
+} pole_and_jump;
+
+static int pole_and_jump_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const pole_and_jump *p = (const pole_and_jump *)ctx;
+    (void)y;
+    dydt[0] = t > p->h / 2 ? 100 : -100;
+    if (t > p->from * p->h && t < p->to * p->h) dydt[0] = VM_INFINITY;
+    return 0;
+}
+
+/* If f is infinite in stage 2, this is not seen in the estimate of the error, to which stage 2 does not contribute. A step of
+   the smallest size over a jump must not lead to an infinite state then. */
+static void test_pole_at_jump(void)
+{
+    vm_real y0[1] = {1}, work[RK87_WORK(1)];
+    rk45_options o = {0};
+    pole_and_jump p;
+    rk45 s;
+    int i;
+    o.h0 = o.h_min = o.h_max = p.h = R(0.0625);
+    o.rtol = o.atol = R(1e-3);
+    for (i = 0; i < METHODS; i++) {
+        const method *m = methods + i;
+        p.from = R(i == 0 ? 0.15 : 0.04); /* stage 2 of rk45 is at 0.2 of the step, that of rk87 at 0.056 */
+        p.to = R(i == 0 ? 0.25 : 0.07);
+        CHECK(m->init(&s, pole_and_jump_rhs, &p, 1, 0, y0, &o, work) == ODE_OK);
+        CHECK(m->solve(&s, 1) == ODE_NOT_FINITE && s.t == 0 && s.y[0] == 1);
+        p.to = p.from; /* without the infinite value the step is accepted */
+        CHECK(m->init(&s, pole_and_jump_rhs, &p, 1, 0, y0, &o, work) == ODE_OK);
+        CHECK(m->solve(&s, 1) == ODE_OK && s.missed == 1);
     }
 }
 
@@ -826,6 +863,7 @@ int main(void)
     test_clock();
     test_unresolvable_jumps();
     test_middle_slope();
+    test_pole_at_jump();
     test_missed_step_taken_back();
     test_thresholds();
     test_least_step();

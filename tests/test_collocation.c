@@ -264,6 +264,36 @@ static void test_evaluations(void)
     }
 }
 
+static int nearly_constant(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)ctx;
+    *rate = R(0.01);
+    *f = 1 + *rate * t;
+    return VM_OK;
+}
+
+/* A step that is shortened ends at a phase that is a number of the type, so that no roundings add up over many steps. */
+static void test_short_steps(void)
+{
+    const vm_real phases[] = {0, 1, R(4.654), -1000}, t = R(0.05);
+    vm_osc_problem o = problem(3, vm_law_user(nearly_constant, NULL), 1, 0);
+    vm_osc_motion m, few;
+    int i, k;
+    for (i = 0; i < 4; i++)
+        for (k = -1; k <= 1; k += 2) {
+            const vm_real length = vmi_osc_short_length(phases[i], (vm_real)k * R(0.001) * VM_EPSILON);
+            const vm_real end = phases[i] + length;
+            CHECK(length * (vm_real)k > 0 && end - phases[i] == length);
+        }
+    CHECK(vmi_osc_short_length(0, 0) == 0);
+    o.x = 1;
+    o.v = 0;
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, t, R(1e-4), &few) == VM_OK);
+    o.mass.change_time = t / R(by_precision(5000, 500000)); /* in double there is nothing to see, and it takes seconds */
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, t, R(1e-4), &m) == VM_OK && m.evals > 10 * few.evals);
+    check_error("many short steps", "v", "estimate", fabs((double)((m.v - few.v) / m.error)), 1, 3, 0);
+}
+
 int main(void)
 {
     test_rules();
@@ -271,6 +301,7 @@ int main(void)
     test_misses();
     test_motions();
     test_least_error();
+    test_short_steps();
     test_evaluations();
     return check_finish("collocation");
 }

@@ -502,6 +502,12 @@ static void test_endless(void)
     o.x = VM_MIN;
     o.v = 0;
     CHECK(vm_osc_within(&o, 1, R(1e-2), &m) == VM_NOT_INTEGRATED);
+    /* up to this time the phase of a slow oscillator grows by less than the smallest number */
+    o = problem(7, vm_law_linear(1, R(0.001)), 1, 0);
+    o.x = R(1e-3);
+    o.v = 0;
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 4 * VM_MIN * VM_EPSILON, R(1e-4), &m) == VM_OK);
+    check_error("no time", "x", "eps", fabs((double)(m.x - o.x)) / (1e-3 * eps), 8, 7, 0); /* the least estimate of an error */
 }
 
 /* ---- With a force ---- */

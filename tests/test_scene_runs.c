@@ -367,6 +367,11 @@ static void check_ends_of_runs(void)
     CHECK(s.scene.ode_status == ODE_MAX_STEPS && s.t > 0 && s.t < 1000);
     vm_scene_keep_budget(&s.scene, NULL);
     CHECK(vm_scene_size(&s.scene) == 8 && vm_scene_budget_at(&s.scene, 0, s.y, &b) == VM_BAD_ARGUMENT);
+    stage_clear(&s, 1); /* the acceleration is infinite, and the end is a subnormal number */
+    stage_body(&s, vm_scene_body_axle(VM_MIN, 0, -100000));
+    stage_effect(&s, vm_effect_motor(0, 0, 2, 10));
+    begin(&s);
+    CHECK(vm_scene_run(&s.scene, &s.t, VM_MIN / 64, s.y, s.work, NULL) == VM_NOT_FINITE && s.t == 0);
 }
 
 int main(void)

@@ -258,8 +258,9 @@ VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_
 /* Replaces the state after a step of the smallest size in which f jumps. Some weights of the stages are positive and
    others negative, so that the weighted sum of the derivatives may lead far away from the state at the jump. Therefore
    each component is continued with the mean of the smallest and the largest of its derivatives in the stages. The
-   error of this mean is at most half the jump. */
-VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
+   error of this mean is at most half the jump. Returns 0 if the new state is not finite because f is infinite in a
+   stage, else 1. */
+VM_INLINE int vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
     vm_real *w = sys.w;
@@ -274,6 +275,7 @@ VM_INLINE void vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
         }
         w[VMI_Z * m + i] = w[VMI_Y * m + i] + h * (least / 2 + largest / 2);
     }
+    return vmi_all_finite(sys.n, w + VMI_Z * m);
 }
 
 #define VMI_KEEP_TO VM_C(0.75)     /* an error below this fraction of the tolerance lets the step size stay the same */
@@ -316,12 +318,15 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
         error = stepper.step_error(&o, sys, trial.h);
         if (!(error <= 1)) {
             misses = error > 1 && trial.shortest && p.steps >= p.next_miss;
+            if (misses && !vmi_take_middle_slope(pair.stages, sys, trial.h)) {
+                misses = 0;
+                error = VM_NAN;
+            }
             if (!misses) {
                 status = vmi_reject(pair.order, &trial, error, sys, &p);
                 if (status) break;
                 continue;
             }
-            vmi_take_middle_slope(pair.stages, sys, trial.h);
             error = 1;
         }
         if (misses || !pair.last_is_first) {

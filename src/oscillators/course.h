@@ -566,20 +566,32 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + s->whole.t)) >= 0;
 }
 
+/* Returns the length of a step from the phase psi that is close to `length`: the length for which the phase at the end
+   of the step is a number of the type vm_real. Thus the phase has no rounding errors that would add up over many short
+   steps. Returns 0 only if psi and `length` are 0 or so small that they underflow. */
+VM_API vm_real vmi_osc_short_length(vm_real psi, vm_real length)
+{
+    const vm_real least = VM_EPSILON * VM_FABS(psi); /* between one and two ulps of psi */
+    const vm_real size = vmi_larger(VM_FABS(length), least);
+    return (psi + VM_COPYSIGN(size, length)) - psi;
+}
+
 /* Makes one step. The argument `most` is between 0 and 1: the step is at most this fraction of the phase up to the end
-   of the present part of the half period. If the step would go beyond c->stop, it is shortened to end at c->stop. */
+   of the present part of the half period. A step takes at most the time c->longest, except where the phase could not
+   grow in so short a time. If the step would go beyond c->stop, it is shortened to end at c->stop. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
     vmi_osc_step s;
-    vm_real share;
+    vm_real share, shortened;
     int part, status;
     s.length = vmi_osc_next_phase(c, &part, &s.sign) - c->psi;
     status = vmi_osc_predict(c, part < 0 ? 0 : part, &s);
     if (status) return status;
     share = vmi_smaller(c->longest / VM_FABS(s.length * s.rates.t[c->rule.n / 2]), most);
-    if (share < 1) {
-        s.length *= share;
+    shortened = vmi_osc_short_length(c->psi, share * s.length);
+    if (share < 1 && shortened != 0) {
+        s.length = shortened;
         part = -1;
     }
     if (part < 0) {

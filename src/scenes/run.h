@@ -150,7 +150,7 @@ VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
     const vm_real size = vmi_scene_larger(VM_FABS(r->t), VM_FABS(t_end));
     vm_real *z = vmi_part(r, VMI_Z), *rates = vmi_part(r, VMI_K), step;
     int i;
-    for (step = 4 * VM_EPSILON * size; step < farthest * size; step *= 4) {
+    for (step = 4 * VM_EPSILON * size + VM_MIN; step < farthest * size; step *= 4) { /* `size` may be subnormal */
         vm_scene_rhs(r->t, r->y, rates, s);
         if (s->status) return;
         for (i = 0; i < r->n; i++) z[i] = r->y[i] + step * rates[i];

@@ -88,7 +88,7 @@ class Kernel:
             self.returned = statement[7:]
             return
         for part in cut(statement, ","):
-            found = re.match(r"(\*?[\w.]+(?:\[\d+\])*)\s*=\s*(.*)$", part)
+            found = re.match(r"(\*?[\w.]+(?:\[\w+\])*)\s*=\s*(.*)$", part)
             if found:
                 self.define[found.group(1).lstrip("*").replace(".", "_")] = found.group(2)
 
