@@ -294,6 +294,22 @@ static void test_short_steps(void)
     check_error("many short steps", "v", "estimate", fabs((double)((m.v - few.v) / m.error)), 1, 3, 0);
 }
 
+/* The stiffness falls nearly to 0, so that amplitude and phase do not describe the motion. The rounds of a step then led to
+   rates with which time went back, so that in float the motion became infinite. */
+static void test_time_grows(void)
+{
+    vm_osc_problem o = problem(7, vm_law_linear(10, 0), R(0.0033550188), R(-0.0199996568));
+    const vm_real t = R(1.60784316);
+    vm_osc_motion m;
+    vm_osc_plan plan;
+    o.stiffness = vm_law_linear(R(0.1), R(-0.0552941188));
+    o.x = R(-0.535294116);
+    o.v = R(-0.535294116);
+    CHECK(vm_osc_plan_init(&plan, &o) == VM_OK);
+    CHECK(vm_osc_plan_within(&plan, t, R(0.0413), &m) == VM_OK);
+    check_error("stiffness near 0", "|x - rk87|/A", "tol", fabs((double)m.x + 1.39348354) / (0.0413 * (double)m.amplitude), 1, 7, 0);
+}
+
 int main(void)
 {
     test_rules();
@@ -302,6 +318,7 @@ int main(void)
     test_motions();
     test_least_error();
     test_short_steps();
+    test_time_grows();
     test_evaluations();
     return check_finish("collocation");
 }

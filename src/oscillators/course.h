@@ -372,7 +372,8 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
 
 /* Makes rounds of the iteration until the estimated error of the phase is at most c->sweep_limit. The iteration starts
    from the rates in s->rates. The error of the phase after a round is estimated as the change of the phase in this
-   round, times c->contraction. */
+   round, times c->contraction. Returns VM_NOT_INTEGRATED if the rounds do not converge, or if they lead to rates with
+   which the time would not grow everywhere in the step; then amplitude and phase do not describe the motion. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real least_contraction = VM_C(0.005); /* least value of c->contraction, since the next steps may converge
@@ -381,7 +382,7 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
                                                           size, which further rounds do not reduce */
     const int most_rounds = 40;
     vm_real change, before = 0;
-    int sweeps, status;
+    int i, sweeps, status;
     for (sweeps = 0; sweeps < most_rounds; sweeps++) {
         status = vmi_osc_sweep(c, s, &change);
         if (status) return status;
@@ -391,6 +392,8 @@ VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
         before = change;
     }
     if (change * c->contraction > c->sweep_limit && !(change <= rounding)) return VM_NOT_INTEGRATED;
+    for (i = 0; i < c->rule.n; i++)
+        if (!(s->rates.t[i] > 0)) return VM_NOT_INTEGRATED;
     c->left += change * c->contraction;
     return VM_OK;
 }

@@ -228,12 +228,15 @@ static int law_fails(const vm_osc_motion *m) { return route_is_law(m->route) && 
 /* How far a motion by a plan may be from one by a call. A plan's Ateb functions err by 2 ulp and those without a plan by 3;
    all else is the same work, but the law of order two, which the plan starts by order five. The rate of the phase goes as
    the power (alpha-1)/2 of the amplitude, so that a difference at the start grows with the phase; and each step of an
-   integration, of ten evaluations at least, adds a rounding. */
+   integration, of ten evaluations at least, adds a rounding. Amplitude and phase are found from x and v + p x, which makes
+   differences larger where mass or stiffness change faster than the phase, by the factor p/W. */
 static double plan_may_differ(const vm_osc_plan *plan, vm_real t, const vm_osc_motion *by_plan, const vm_osc_motion *by_call)
 {
     const double amplitude = (double)by_call->amplitude, phase = (double)(plan->Om * VM_FABS(t));
+    const double by_p = 1 + fabs((double)(plan->slow.p / plan->Om));
     if (by_plan->route == by_call->route && by_call->route != VM_ROUTE_ORDER2)
-        return EPS * amplitude * (8 * (1 + (double)plan->problem.alpha) * (1 + phase) + (double)by_call->evals / 10);
+        return EPS * amplitude * by_p *
+               (8 * (1 + (double)plan->problem.alpha) * (1 + phase) + (double)by_call->evals / 10);
     return 3 * ((double)by_plan->error + (double)by_call->error) * amplitude;
 }
 
