@@ -259,6 +259,7 @@ proof:
 KERNELS = quick # or full, which takes twenty minutes
 proof-kernels:
 	@sh tests/install.sh "command -v gappa && command -v sollya" gappa sollya
+	@sh tests/install.sh "python3 -c 'import mpmath'" python3-mpmath
 	@mkdir -p build/proof && echo '*' >build/.gitignore
 	python3 tests/proof/prove.py $(KERNELS) >build/proof/results || { cat build/proof/results; exit 1; }
 	@cat build/proof/results

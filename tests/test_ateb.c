@@ -95,11 +95,12 @@ static const elementary_row elementary_table[] = {
 #include "data/elementary_table.h"
 };
 
-/* The bounds that tests/proof proves: of ln x and e^y in two words, relative; of the others in ulps */
+/* The bounds that tests/proof proves: of ln x and e^y in two words, relative; of g in two words, absolute; of the others in
+   ulps */
 #ifdef VM_USE_FLOAT
-static const double log_unit = 2.3283e-10, exp_unit = 3.0258e-9; /* 2^-32, 2^-28.3 */
+static const double log_unit = 2.3283e-10, exp_unit = 3.0258e-9, g_unit = 8.2318e-11; /* 2^-32, 2^-28.3, 2^-33.5 */
 #else
-static const double log_unit = 4.7192e-20, exp_unit = 6.9389e-18; /* 2^-64.2, 2^-57 */
+static const double log_unit = 4.7192e-20, exp_unit = 6.9389e-18, g_unit = 1.5332e-19; /* 2^-64.2, 2^-57, 2^-62.5 */
 #endif
 static const double exp_ulp = 0.545, pow_ulp = 0.9, sine_ulp = 0.94, cosine_ulp = 0.95;
 
@@ -120,6 +121,7 @@ static void check_kernel_point(const kernel_point *point)
     const vm_two x = vmi_two((vm_real)point->hi, (vm_real)point->lo);
     const double value = point->value, low = point->value_low;
     vm_real sine, cosine, p, p_lo;
+    vmi_ateb c;
     vm_two l;
     int k;
     if (strcmp(point->kernel, "pow") == 0)
@@ -137,6 +139,11 @@ static void check_kernel_point(const kernel_point *point)
                     fabs((((1 - ldexp(value, -k)) + (double)p) + (double)p_lo) - ldexp(low, -k)) / ldexp(value, -k) /
                         exp_unit,
                     1, point->hi, point->lo);
+    }
+    if (strcmp(point->kernel, "g") == 0) {
+        vmi_ateb_index_constants(&c, x.hi);
+        l = vmi_ateb_g(c.q);
+        check_error("g", "worst", "bound", fabs(((double)l.hi - value) + ((double)l.lo - low)) / g_unit, 1, point->hi, 0);
     }
     vmi_sin_cos(x, &sine, &cosine);
     if (strcmp(point->kernel, "sine") == 0)

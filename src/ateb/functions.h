@@ -33,8 +33,8 @@ typedef struct VM_TAG(vmi_ateb_place) {
 #define VMI_ATEB_FINE_REACH (VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5))
 
 /* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
-   ca. c->quarter becomes a sum of two words with a relative error of 2^-100 (float 2^-42). If the result is so small
-   that this error would matter, the quarter period is used in three words. */
+   ca. c->quarter becomes a sum of two words with a relative error below 2^-98.6 (float 2^-40.6). If the result is so
+   small that this error would matter, the quarter period is used in three words. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
     vm_real rest, count;

@@ -10,7 +10,7 @@ Hyperbolic functions, for src/jacobi/theta.h: sinh r = r + r y P(y) and cosh r =
 import random
 import struct
 import sys
-from mpmath import mp, mpf, cos, sin, pi, log, exp, sqrt, sinh, cosh, factorial, floor, polyval, nstr
+from mpmath import beta, mp, mpf, cos, sin, pi, log, exp, sqrt, sinh, cosh, factorial, floor, polyval, nstr
 
 mp.dps = 60
 N = 32
@@ -122,7 +122,8 @@ def reference():
 
 
 # Where the errors of the kernels are largest, as far as a search found; of each bound of tests/proof/bounds.txt one point in
-# double and one in float. An argument is a pair of words; a power has a second argument of one word.
+# double and one in float. An argument is a pair of words; a power has a second argument of one word. The argument of g is alpha:
+# g = Pi_alpha - (alpha + 1).
 POINTS = """
 double sine     0x1.770d3a0a8d98cp-1  -0x1.9b29d4a081482p-55
 double cosine   0x1.8c5987a858075p-1   0x1.83d9889367f6p-54
@@ -139,12 +140,15 @@ float  exp     -0x1.5d79p-2           -0x1.fe83acp-33
 float  exp     -0x1.1f4a04p+2          0x0p+0
 float  log      0x1.034be6p+0          0x0p+0
 float  pow      0x1.034be6p+0          0x0p+0                0x1.a73baep+12
+double g        0x1.f96c68ccafe9ap+5   0x0p+0
+float  g        0x1.f1a776p+5          0x0p+0
 """
 
 
 def points():
     """tests/data/kernel_points.h: whether the point is for float; kernel; hi, lo and y of the argument; the value"""
-    functions = {"sine": sin, "cosine": cos, "exp": exp, "log": log}
+    functions = {"sine": sin, "cosine": cos, "exp": exp, "log": log,
+                 "g": lambda alpha: beta(1 / (alpha + 1), mpf(1) / 2) - (alpha + 1)}
     with open("tests/data/kernel_points.h", "w") as file:
         file.write("/* Written by tests/gen/elementary.py: 1 for float; kernel; the argument's words; y; the value's words */\n")
         for line in POINTS.strip().split("\n"):

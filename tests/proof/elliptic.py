@@ -37,11 +37,11 @@ def series_error(precision, kind, top):
     return suprema(text)[0] + rest
 
 
-def k_series(precision):
+def k_series(precision, _goal):
     return series_error(precision, "K", "0.0299")
 
 
-def e_series(precision):
+def e_series(precision, _goal):
     return series_error(precision, "E", "0.503")
 
 
@@ -77,9 +77,9 @@ def logarithmic_error(precision, function, kind):
     return worst
 
 
-def k_by_log(precision):
+def k_by_log(precision, _goal):
     return logarithmic_error(precision, "vmi_K_by_log", "K")
 
 
-def e_rest(precision):
+def e_rest(precision, _goal):
     return logarithmic_error(precision, "vmi_E_rest", "E")

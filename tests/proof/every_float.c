@@ -76,7 +76,7 @@ static worst_error worst_exponential(uint32_t step)
 static int judge(const char *name, const char *unit, worst_error worst, double bound)
 {
     const int kept = worst.error <= bound;
-    printf("%-12s float  %-12.5g %s: worst %.5g%s at %a\n", name, bound, kept ? "kept" : "FAILED", worst.error, unit,
+    printf("%-15s float  %-12.5g %s: worst %.5g%s at %a\n", name, bound, kept ? "kept" : "FAILED", worst.error, unit,
            (double)worst.x);
     return kept;
 }

@@ -20,22 +20,44 @@ sys.dont_write_bytecode = True  # no folder beside the sources
 import elliptic
 import exponential
 import logarithm
+import period
 import sin_cos
 import words
 from provers import outward
 from source import Precision, dyadic
 
+def power(precision, goal):
+    """The bound of the power in ulps that follows from those of the logarithm and the exponential, as docs/proof.md
+    shows: the error of y ln x becomes the relative error of the result."""
+    p, single = precision.digits, precision.single
+    largest = F("88.73") if single else F("709.79")  # of |y ln x|, where the result is a normal number
+    low_word = 3 * F(2)**(-p - 16)                   # what x.lo loses, for |ln x| > 2^14 eps
+    rounding = F(2)**(4 - 2 * p)                     # of the product y ln x in two words
+    log = goal("log_floats") if single else goal("log")
+    return goal("exp_ulp") + F(2)**p * largest * (log + low_word + rounding) * (1 + F(2)**-10)
+
+
 PROVERS = {
-    "two_product": words.product, "two_times": words.times, "two_plus": words.plus, "two_over": words.over,
+    "two_product": words.product,
+    "two_times_sharp": words.times, "two_plus_sharp": words.plus, "two_over_sharp": words.over,
     "sine": sin_cos.sine, "cosine": sin_cos.cosine,
     "exp_reduced": exponential.reduced, "exp_lost": exponential.lost, "exp_words": exponential.in_words,
     "exp_ulp": exponential.in_ulps, "exp_p": exponential.p_alone,
     "log": logarithm.away, "log_near": logarithm.near_one,
+    "Pi_g": period.g,
 }
 
-# Provers that return a bound of Sollya's, which must be below the goal
-BY_SOLLYA = {"K_series": elliptic.k_series, "E_series": elliptic.e_series, "K_by_log": elliptic.k_by_log,
-             "E_rest": elliptic.e_rest}
+# Functions of the precision and of the other bounds that return a bound, which must be below the goal; how they find it
+COMPUTED = {
+    "two_times": (lambda _, goal: goal("two_times_sharp"), "from two_times_sharp"),
+    "two_plus": (lambda _, goal: goal("two_plus_sharp"), "from two_plus_sharp"),
+    "two_over": (lambda _, goal: goal("two_over_sharp"), "from two_over_sharp"),
+    "K_series": (elliptic.k_series, "by Sollya"), "E_series": (elliptic.e_series, "by Sollya"),
+    "K_by_log": (elliptic.k_by_log, "by Sollya"), "E_rest": (elliptic.e_rest, "by Sollya"),
+    "power": (power, "from exp_ulp and log"), "Pi_series": (period.series, "by interpolation"),
+    "Pi_ratio": (period.ratio, "from Pi_series and the bounds of two words"),
+    "Pi_fine": (period.fine, "from Pi_ratio and the bounds of two words"), "Pi": (period.in_ulps, "from Pi_g"),
+}
 MINUTES = ("K_by_log", "E_rest")  # the quick run leaves these out
 
 
@@ -72,18 +94,6 @@ def by_gappa(name, precision, bound, full, pool):
     return len(chosen) - failures, len(chosen), len(cases)
 
 
-def power(lines, precision):
-    """The bound of the power in ulps that follows from those of the logarithm and the exponential, as docs/proof.md
-    shows: the error of y ln x becomes the relative error of the result."""
-    p, single = precision.digits, precision.single
-    log = number(lines["log_floats"][1] if single else lines["log"][0], p)
-    largest = F("88.73") if single else F("709.79")  # of |y ln x|, where the result is a normal number
-    low_word = 3 * F(2)**(-p - 16)                   # what x.lo loses, for |ln x| > 2^14 eps
-    rounding = F(2)**(4 - 2 * p)                     # of the product y ln x in two words
-    exponential = number(lines["exp_ulp"][single], p)
-    return exponential + F(2)**p * largest * (log + low_word + rounding) * (1 + F(2)**-10)
-
-
 def every_float(lines, full):
     """Tries the floats in a program in C; returns whether it kept both bounds."""
     program = os.path.join("build", "proof", "every_float")
@@ -97,7 +107,7 @@ def every_float(lines, full):
 
 
 # Goals that are false: a prover that proves them proves nothing. Counterexamples: tests/data/kernel_points.h
-LIES = (("two_times", "2^-(2p - 1)"), ("sine", "0.7"), ("cosine", "0.7"))
+LIES = (("two_times_sharp", "2^-(2p - 1)"), ("sine", "0.7"), ("cosine", "0.7"), ("Pi_g", "2^-63.3"))
 
 
 def main():
@@ -110,26 +120,26 @@ def main():
                 if wanted and name not in wanted or bound == "-" or name.endswith("_floats"):
                     continue
                 if name in MINUTES and not full:
-                    print(f"{name:12} {precision.name:6} {bound:12} left to the full run", flush=True)
+                    print(f"{name:15} {precision.name:6} {bound:12} left to the full run", flush=True)
                     continue
-                if name == "power":
-                    kept = power(lines, precision) <= number(bound, precision.digits)
-                    how = f"follows from exp_ulp and log: {float(power(lines, precision)):.4f}" if kept else "FAILED"
-                elif name in BY_SOLLYA:
-                    error = BY_SOLLYA[name](precision)
-                    kept, how = error <= number(bound, precision.digits), f"2^{math.log2(error):.2f} by Sollya"
+                if name in COMPUTED:
+                    compute, way = COMPUTED[name]
+                    error = compute(precision, lambda other: number(lines[other][precision.single], precision.digits))
+                    kept = error <= number(bound, precision.digits)
+                    how = f"{float(error):.4f}" if error > F(1, 1000) else f"2^{math.log2(error):.2f}"
+                    how += f" {way}" if kept else " FAILED"
                 elif name not in PROVERS:
                     kept, how = True, "on paper"
                 else:
                     proved, tried, of_all = by_gappa(name, precision, bound, full, pool)
                     kept, how = proved == tried > 0, f"{proved} cases proved, {tried} of {of_all} tried"
-                print(f"{name:12} {precision.name:6} {bound:12} {how}", flush=True)
+                print(f"{name:15} {precision.name:6} {bound:12} {how}", flush=True)
                 print(f"{name}, {precision.name}: {time.time() - start:.0f} s", file=sys.stderr)
                 passed, failed = passed + kept, failed + (not kept)
         for name, bound in LIES:
             if not wanted:
                 refused = is_refused(name, bound)
-                print(f"{name:12} double {bound:12} {'is refused, as it must be' if refused else 'FAILED: is false'}", flush=True)
+                print(f"{name:15} double {bound:12} {'is refused, as it must be' if refused else 'FAILED: is false'}", flush=True)
                 passed, failed = passed + refused, failed + (not refused)
     if not wanted or "log_floats" in wanted:
         kept = every_float(lines, full)

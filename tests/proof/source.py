@@ -1,6 +1,6 @@
-"""The statements of a kernel, read from jacobi.h and written for Gappa and for Sollya.
+"""The statements of a kernel, read from a header and written for Gappa and for Sollya.
 
-The provers must judge the code that is shipped. So this module runs the compiler's preprocessor on jacobi.h, finds a
+The provers must judge the code that is shipped. So this module runs the compiler's preprocessor on a header, finds a
 function by its name, and cuts its body into definitions `name = expression`. Nothing is copied by hand: a changed
 coefficient changes what is proved, and a changed order of operations changes it too. What a model must assume about the
 shape of the code it checks by `Kernel.expect`, which stops the proof where the code differs.
@@ -12,8 +12,8 @@ import os
 import re
 import subprocess
 from fractions import Fraction
+from functools import lru_cache
 
-HEADER = os.environ.get("HEADER", "jacobi.h")
 CC = os.environ.get("CC", "cc")
 NUMBER = re.compile(r"(?<![\w.])(\d+\.\d*(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(f?)(?![\w.])")
 
@@ -27,10 +27,11 @@ class Precision:
         self.rounding = "float<ieee_32,ne>" if self.single else "float<ieee_64,ne>"
 
 
-def preprocessed(precision):
+@lru_cache(None)
+def preprocessed(precision, header):
     """The header as the compiler sees it, for a processor without fused multiply-add"""
     flags = ["-DVM_USE_FLOAT"] if precision.single else []
-    command = [CC, "-E", "-P", "-std=c99", "-O0", "-U__FP_FAST_FMA", "-U__FP_FAST_FMAF", *flags, HEADER]
+    command = [CC, "-E", "-P", "-std=c99", "-O0", "-U__FP_FAST_FMA", "-U__FP_FAST_FMAF", *flags, header]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
@@ -67,17 +68,19 @@ def dyadic(q):
 
 
 class Kernel:
-    """define: name -> expression in C, in the order of the code. returned: the expression after `return`."""
+    """define: name -> expression in C, in the order of the code. returned: the expression after `return`. body: all statements
+    without blanks."""
 
-    def __init__(self, function, precision):
+    def __init__(self, function, precision, header="jacobi.h"):
         self.p = precision
-        text = preprocessed(precision)
+        text = preprocessed(precision, header)
         found = re.search(r"\b" + function + r"\(([^;{}]*)\)\s*\{", text)
         depth, end = 1, found.end()
         while depth:
             depth += {"{": 1, "}": -1}.get(text[end], 0)
             end += 1
         self.define, self.returned = {}, None
+        self.body = "".join(text[found.end():end - 1].split())
         for statement in cut(" ".join(text[found.end():end - 1].split()), ";"):
             self._read(statement)
 
@@ -98,6 +101,12 @@ class Kernel:
             got = self.returned if name == "returned" else self.define[name]
             if got.replace(" ", "") != expression.replace(" ", ""):
                 raise SystemExit(f"The model does not fit the code: {name} = {got}, expected {expression}")
+
+    def expect_body(self, *statements):
+        """Stops unless the body has these statements."""
+        for statement in statements:
+            if statement.replace(" ", "") not in self.body:
+                raise SystemExit(f"The model does not fit the code: {self.body}, expected {statement}")
 
     def value(self, constant):
         """The number that a constant of the code is, such as (-0.35) or 0.1f"""
