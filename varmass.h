@@ -7404,17 +7404,20 @@ VM_API vmi_kepler_point vmi_kepler_at(const vmi_kepler *o, vm_real s)
    time is a rising function of s. Therefore the function keeps a lower and an upper bound of s, and brings them closer
    in each step of Newton's method. If a step leaves these bounds, or is longer than half the previous step, s is
    doubled or the interval is halved instead. On a fast hyperbola the time rises exponentially with s, so that Newton's
-   method alone would need too many steps. */
+   method alone would need too many steps. There the first s is so small that the time does not overflow. */
 VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 {
     const int most = 3 * VM_MANT_DIG; /* halving alone needs VM_MANT_DIG steps; Newton's method needs fewer */
-    vm_real low = 0, high = VM_INFINITY, s = vmi_smaller(t, 1), before = VM_INFINITY;
+    const vm_real largest_exponent = VM_MANT_DIG > 24 ? 700 : 80; /* e^x is finite up to this x */
+    const vm_real longest = o->beta < 0 ? largest_exponent / VM_SQRT(-o->beta) : 1;
+    vm_real low = 0, high = VM_INFINITY, s = vmi_smaller(vmi_smaller(t, 1), longest), before = VM_INFINITY;
     vmi_kepler_point p = vmi_kepler_at(o, s);
     int i;
     for (i = 0; i < most; i++) {
         const vm_real late = p.time - t, step = late / p.distance;
         vm_real next = s - step;
-        if (VM_FABS(late) <= vmi_smaller(p.noise, t) || VM_FABS(step) <= VM_EPSILON * s) break;
+        if (VM_FABS(late) <= vmi_smaller(p.noise, t)) break;
+        if (VM_FABS(step) <= VM_EPSILON * s && VM_IS_FINITE(p.distance)) break; /* the distance may overflow alone */
         if (late < 0) low = s;
         else high = s; /* also where the time is infinite or NaN */
         if (!(next > low && next < high && 2 * VM_FABS(step) <= before)) {

@@ -298,7 +298,7 @@ static void test_short_steps(void)
    rates with which time went back, so that in float the motion became infinite. */
 static void test_time_grows(void)
 {
-    vm_osc_problem o = problem(7, vm_law_linear(10, 0), R(0.0033550188), R(-0.0199996568));
+    vm_osc_problem o = problem(7, vm_law_linear(10, 0), 0.0033550188, -0.0199996568);
     const vm_real t = R(1.60784316);
     vm_osc_motion m;
     vm_osc_plan plan;

@@ -250,10 +250,28 @@ static void test_refusals(void)
     CHECK(vm_orbit(R(1e30), 1, x, vector(0, 2, 0), &r, &v) == VM_OK && size_of(r) > 1);
 }
 
+/* A body that passes the centre so fast that it moves nearly straight: Newton's method starts where distances overflow. */
+static void test_fast(void)
+{
+    const vm_vec3 r0 = {R(-0.8549), R(-1.26115), -2};
+    const double mu = 0.1, t = 4.97;
+    double speed;
+    for (speed = 10; speed < (eps < 1e-10 ? 1e60 : 1e8); speed *= 1.3) {
+        vm_vec3 v0 = {R(-speed), -2, 2}, r, v, straight;
+        const double bend = 2 * mu / (double)vm_norm(r0) / speed; /* the velocity changes by no more */
+        CHECK(vm_orbit(R(t), R(mu), r0, v0, &r, &v) == VM_OK);
+        straight = vm_add(r0, vm_scale(R(t), v0));
+        check_error("fast hyperbola", "r", "bound", (double)vm_norm(vm_sub(r, straight)) / (t * (bend + 16 * eps * speed)), 1,
+                    speed, 0);
+        check_error("fast hyperbola", "v", "bound", (double)vm_norm(vm_sub(v, v0)) / (bend + 16 * eps * speed), 1, speed, 0);
+    }
+}
+
 int main(void)
 {
     const double speeds[6] = {.3, .9, 1.2, 1.7038, 1.75, 4};
     int i;
+    test_fast();
     for (i = 0; i < 6; i++) {
         test_integration(speeds[i], 0, 3);
         test_integration(speeds[i], 0, -2);

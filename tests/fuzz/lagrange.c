@@ -268,7 +268,7 @@ static void check_equations(void)
     STAIN(back);
     status = vm_lagrange_rates(&l, t, y, back);
     if (status) HOLDS(UNTOUCHED(back));
-    all_tame = all_tame && t <= 2;
+    all_tame = all_tame && VM_FABS(t) <= 2;
     if (all_tame) {
         const double condition = 1e4 * (1 + fabs((double)rates[0]) + fabs((double)rates[1])) *
                                  (1 + (double)(p[0] / p[1]) + (double)(p[1] / p[0])) *

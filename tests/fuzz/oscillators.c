@@ -197,6 +197,7 @@ static int takes_long(const vm_osc_plan *plan, vm_real t)
 {
     const vm_osc_problem *p = &plan->problem;
     if (changes_fast(&p->mass, t) || changes_fast(&p->stiffness, t)) return 1;
+    if (p->force && VM_FABS(t) > 100 * plan->m0) return 1; /* small_force is not small for so small a mass */
     return is_finite(t) && (!tame_problem(p) || VM_FABS(t) > 100 || plan->Om * VM_FABS(t) > R(1e4) ||
                             VM_FABS(plan->slow.p * t) > 3); /* it dies out, for alpha < 1 in ever shorter periods */
 }

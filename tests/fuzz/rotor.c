@@ -178,7 +178,8 @@ static void check_motion(void)
     if (!tame_rotor(&r) || !all_tame(6, y)) return;
     HOLDS(status == 0 && vmi_all_finite(6, dydt));
     for (i = 0; i < 6; i++)
-        HOLDS(within(back[i], y[i], 32 * EPS * (1 + fabs((double)y[3]) + fabs((double)y[4]) + fabs((double)y[i]))));
+        HOLDS(within(back[i], y[i],
+                     32 * EPS * (1 + fabs((double)y[3]) + fabs((double)y[4]) + fabs((double)y[i]) + (i < 2 ? (double)polar[0] : 0))));
     if (polar[0] < R(1e-3)) return;
     status = vm_broken_rotor_polar_rhs(0, polar, dpolar, &r); /* psi'' is the same */
     HOLDS(

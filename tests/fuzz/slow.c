@@ -57,9 +57,14 @@ static void check_van_der_pol(void)
    damping with c > 0 causes backward in time: there the kit gives up only after 2^24 steps */
 static int vdp_is_tame(const vm_vdp *v, vm_real t, vm_real x, vm_real rate)
 {
-    return tame_mass(v->mass) && tame(v->k) && tame(v->alpha) && tame(v->feed) && tame(v->c) && tame(v->reactive) &&
-           tame(t) && tame(x) && tame(rate) && VM_FABS(v->feed) < 1 && VM_FABS(v->c) < 1 &&
-           (t < 0 ? v->c <= 0 : v->c >= 0) && v->reactive >= 0 && v->reactive <= 1 && VM_FABS(t) <= 30 && VM_FABS(x) + VM_FABS(rate) < 10 && v->k < 100;
+    /* phases up to t at an amplitude that is not below that of the cycle */
+    const double cycle = v->c != 0 ? 2 * sqrt(fabs((double)(v->feed / v->c))) : 0;
+    const double amplitude = larger(cycle, fabs((double)x) + fabs((double)rate));
+    const double rate_of_phase = sqrt((double)(v->k / v->mass.f0) * pow(amplitude, (double)v->alpha - 1));
+    return rate_of_phase * fabs((double)t) < 3000 && tame_mass(v->mass) && tame(v->k) && tame(v->alpha) &&
+           tame(v->feed) && tame(v->c) && tame(v->reactive) && tame(t) && tame(x) && tame(rate) &&
+           VM_FABS(v->feed) < 1 && VM_FABS(v->c) < 1 && (t < 0 ? v->c <= 0 : v->c >= 0) && v->reactive >= 0 &&
+           v->reactive <= 1 && VM_FABS(t) <= 30 && VM_FABS(x) + VM_FABS(rate) < 10 && v->k < 100;
 }
 
 /* The law of order three: outputs are finite or untouched, both calls choose the same motion, and the law is as close to
@@ -108,9 +113,9 @@ static void check_van_der_pol_law(void)
     if (status < 0) return;
     HOLDS(same_bits(law.x, other.x) && same_bits(law.v, other.v));
     if (fuzz.wild || vm_vdp_plan_by_route(&plan, VM_ROUTE_RK87, t, tolerance, &other) < 0) return;
-    /* the estimate of rk87 compares two runs, whose errors may agree by chance; in float, with steps of the least tolerance,
-       to 1 of 22 in 1 of 20 000 motions */
-    HOLDS(within(law.x, other.x, (IS_FLOAT ? 100 : 10) * ((double)law.error + (double)other.error) * (double)other.amplitude));
+    /* the estimate of rk87 compares two runs, whose errors may agree by chance: oscillators/routes.h allows for errors of 30
+       times the estimate in random problems, and a fuzzer searches for worse ones */
+    HOLDS(within(law.x, other.x, 100 * ((double)law.error + (double)other.error) * (double)other.amplitude));
 }
 
 static vm_complex turning_load(vm_real t, vm_complex z, vm_complex v, void *ctx)

@@ -7,8 +7,9 @@ How far a polynomial is from its function is bounded for all arguments. Both fun
     F = (q + 1/2) (q + 3/2) (q + 5/2) (q + 7/2) B(q + 4, 1/2),  B(a, 1/2) = integral of s^(a-1) (1 - s)^(-1/2) from 0 to 1,
     g = integral of s^(q-1) ((1 - s)^(-1/2) - 1) from 0 to 1;
 the integrals are largest for real q, so that a bound M of the function on an ellipse around the interval is known.
-Interpolation in n Chebyshev points is within 4 M/(r^n (r - 1)) of the function, where r is the sum of the half axes of
-the ellipse for the interval [-1, 1] (Trefethen, Approximation Theory and Approximation Practice, theorem 8.2). The
+Interpolation by a polynomial of degree n, in n + 1 Chebyshev points, is within 4 M/(r^n (r - 1)) of the function, where r
+is the sum of the half axes of the ellipse for the interval [-1, 1] (Trefethen, Approximation Theory and Approximation
+Practice, theorem 8.2). The
 Chebyshev coefficients of the interpolation of function minus polynomial add up to a bound of the rest. mpmath computes
 them with 120 digits.
 """
@@ -39,7 +40,7 @@ def distance(function, polynomial, largest, ratio):
     angles = [pi * (k + HALF) / POINTS for k in range(POINTS)]
     value = [function(cos(a)) - polynomial(cos(a)) for a in angles]
     size = fsum(abs(fsum(v * cos(j * a) for v, a in zip(value, angles))) for j in range(POINTS))
-    return rational(2 * size / POINTS + 4 * largest / (mpf(ratio)**POINTS * (ratio - 1)))
+    return rational(2 * size / POINTS + 4 * largest / (mpf(ratio)**(POINTS - 1) * (ratio - 1)))
 
 
 # ---- F in two words ----
