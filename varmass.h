@@ -13261,10 +13261,11 @@ VM_API int vmi_osc_sweep(vmi_osc_course *c, vmi_osc_step *s, vm_real *change)
     return VM_OK;
 }
 
-/* Makes rounds of the iteration until the estimated error of the phase is at most c->sweep_limit. The iteration starts
-   from the rates in s->rates. The error of the phase after a round is estimated as the change of the phase in this
-   round, times c->contraction. Returns VM_NOT_INTEGRATED if the rounds do not converge, or if they lead to rates with
-   which the time would not grow everywhere in the step; then amplitude and phase do not describe the motion. */
+/* Makes rounds of the iteration until the estimated error of the phase is at most c->sweep_limit, or until only
+   rounding errors are left. The iteration starts from the rates in s->rates. The error of the phase after a round is
+   estimated as the change of the phase in this round, times c->contraction. Returns VM_NOT_INTEGRATED if the rounds do
+   not converge, or if they lead to rates with which the time would not grow everywhere in the step; then amplitude and
+   phase do not describe the motion. */
 VM_API int vmi_osc_iterate(vmi_osc_course *c, vmi_osc_step *s)
 {
     const vm_real least_contraction = VM_C(0.005); /* least value of c->contraction, since the next steps may converge
@@ -13460,9 +13461,9 @@ VM_API int vmi_osc_is_beyond(const vmi_osc_course *c, const vmi_osc_step *s)
     return (vm_real)c->side * ((c->t - c->stop) + (c->t_low + s->whole.t)) >= 0;
 }
 
-/* Returns the length of a step from the phase psi that is close to `length`: the length for which the phase at the end
-   of the step is a number of the type vm_real. Thus the phase has no rounding errors that would add up over many short
-   steps. Returns 0 only if psi and `length` are 0 or so small that they underflow. */
+/* Rounds the length of a step from the phase psi, so that the phase at the end of the step is a number of the type
+   vm_real. Thus the phase has no rounding errors that would add up over many short steps. A length below VM_EPSILON
+   |psi| is replaced by about this number. Returns 0 only if psi and `length` are 0 or so small that they underflow. */
 VM_API vm_real vmi_osc_short_length(vm_real psi, vm_real length)
 {
     const vm_real least = VM_EPSILON * VM_FABS(psi); /* between one and two ulps of psi */
@@ -13471,8 +13472,9 @@ VM_API vm_real vmi_osc_short_length(vm_real psi, vm_real length)
 }
 
 /* Makes one step. The argument `most` is between 0 and 1: the step is at most this fraction of the phase up to the end
-   of the present part of the half period. A step takes at most the time c->longest, except where the phase could not
-   grow in so short a time. If the step would go beyond c->stop, it is shortened to end at c->stop. */
+   of the present part of the half period. By the predicted rates, a step takes at most the time c->longest. Both limits
+   are exceeded where the phase is so large, or grows so slowly, that it would stay the same number. If the step would
+   go beyond c->stop, it is shortened to end at c->stop. */
 VM_API int vmi_osc_course_step_of(vmi_osc_course *c, vm_real most)
 {
     vmi_step_waves inside;
