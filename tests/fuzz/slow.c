@@ -114,8 +114,8 @@ static void check_van_der_pol_law(void)
     HOLDS(same_bits(law.x, other.x) && same_bits(law.v, other.v));
     if (fuzz.wild || vm_vdp_plan_by_route(&plan, VM_ROUTE_RK87, t, tolerance, &other) < 0) return;
     /* the estimate of rk87 compares two runs, whose errors may agree by chance: oscillators/routes.h allows for errors of 30
-       times the estimate in random problems, and a fuzzer searches for worse ones */
-    HOLDS(within(law.x, other.x, 100 * ((double)law.error + (double)other.error) * (double)other.amplitude));
+       times the estimate */
+    HOLDS(within(law.x, other.x, 30 * ((double)law.error + (double)other.error) * (double)other.amplitude));
 }
 
 static vm_complex turning_load(vm_real t, vm_complex z, vm_complex v, void *ctx)
