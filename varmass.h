@@ -13212,7 +13212,9 @@ VM_API void vmi_osc_find_p_rates(const vmi_osc_course *c, const vmi_osc_step *s,
     }
 }
 
-/* Finds the state at each node from the present rates of the step. */
+/* Finds the state at each node from the present rates of the step. While the iteration has not converged, the rates may
+   put a node before the start of the step or beyond c->stop. There the laws need not have values; the function takes the
+   state at the start of the step or at c->stop instead. */
 VM_API int vmi_osc_find_nodes(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
 {
     const vm_osc_problem *o = &c->plan->problem;
@@ -13221,6 +13223,7 @@ VM_API int vmi_osc_find_nodes(const vmi_osc_course *c, const vmi_osc_step *s, vm
         int side = c->side, status;
         at[i].moved = vmi_osc_change_to(c, s, i);
         at[i].t = c->t + (c->t_low + at[i].moved.t);
+        if ((vm_real)side * (at[i].t - c->t) < 0) at[i].t = c->t;
         if ((vm_real)side * (at[i].t - c->stop) >= 0) {
             at[i].t = c->stop;
             side = -side;

@@ -57,9 +57,12 @@ static void check_van_der_pol(void)
    damping with c > 0 causes backward in time: there the kit gives up only after 2^24 steps */
 static int vdp_is_tame(const vm_vdp *v, vm_real t, vm_real x, vm_real rate)
 {
-    /* phases up to t at an amplitude that is not below that of the cycle */
+    /* phases up to t at an amplitude that is not below that of the cycle; for alpha < 1, where periods become shorter as
+       the motion dies out, at an amplitude that is not above the last */
     const double cycle = v->c != 0 ? 2 * sqrt(fabs((double)(v->feed / v->c))) : 0;
-    const double amplitude = larger(cycle, fabs((double)x) + fabs((double)rate));
+    const double largest = larger(cycle, fabs((double)x) + fabs((double)rate));
+    const double decay = v->alpha < 1 && v->feed * t < 0 ? exp((double)(v->feed * t / v->mass.f0)) : 1;
+    const double amplitude = largest * decay;
     const double rate_of_phase = sqrt((double)(v->k / v->mass.f0) * pow(amplitude, (double)v->alpha - 1));
     return rate_of_phase * fabs((double)t) < 3000 && tame_mass(v->mass) && tame(v->k) && tame(v->alpha) &&
            tame(v->feed) && tame(v->c) && tame(v->reactive) && tame(t) && tame(x) && tame(rate) &&
