@@ -10350,8 +10350,8 @@ VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real sa, vm_real ca, vmi_ripple_values *f)
 {
     const vm_real m = r->mean2, y = sa * sa, from_sa_0 = psi - r->pi * VM_FLOOR(psi / r->pi + VM_C(0.5));
-    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0), S2_at_0 = r->at_sa_0; /* way: phase since the
-                                                                                                 nearest zero of sa */
+    vm_real side = VM_COPYSIGN(1, from_sa_0), way = VM_FABS(from_sa_0); /* way: phase since the nearest zero of sa */
+    vm_real S2_at_0;
     vmi_ripple_place place;
     vmi_ripple_integrals d;
     f->sa = sa;
@@ -10359,6 +10359,7 @@ VM_API void vmi_ripple_at(const vmi_ripple *r, int order, vm_real psi, vm_real s
     f->C = ca * ca - m;
     f->S = f->S2 = f->S3 = f->Q = 0;
     if (order < 3) return;
+    S2_at_0 = r->at_sa_0;
     if (y > VM_C(0.5)) {
         place = vmi_ripple_near_ca_0(r, VM_FABS(ca), y);
         side = -side;
