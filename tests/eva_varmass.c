@@ -511,255 +511,130 @@ void eva_lambert(void)
     sink[1] = vm_wright_omega(any) + vm_lambert_w0_neg_exp(any) + vm_lambert_wm1_neg_exp(any);
 }
 
-/* ---- Oscillators ---- */
-
-void eva_oscillators(void)
+vm_band any_band(void)
 {
-    vm_real x, v;
-    sink[0] = vm_osc_period(any, any, any) + vm_osc_vmax(any, any, any) + vm_osc_energy(any, any, any, any);
-    vm_osc_amplitude_phase(any, any, any, any, &x, &v);
-    sink[1] = x + v;
+    vm_band b;
+    b.radius = any;
+    b.thickness = any;
+    b.width = any;
+    b.density = any;
+    b.speed = any;
+    b.reactive = any;
+    b.by_layer = any_int;
+    return b;
 }
 
-void eva_osc_exact(void)
+void eva_band(void)
 {
-    vm_real x, v;
-    vm_osc_exact(any, any, any, any, &x, &v);
-    vm_osc_exact_from(any, any, any, any, any, &x, &v);
-    sink[0] = x + v;
+    const vm_band b = any_band();
+    sink[0] = vm_band_at(any, &b).mass;
+    sink[1] = vm_force_damper(any, any) + vm_force_gravity(any, any);
 }
 
-vm_law any_law(void)
+void eva_eigenvalues(void)
 {
-    if (any_int) return vm_law_linear(any, any);
-    if (any_int) return vm_law_quadratic(any, any, any);
-    if (any_int) return vm_law_power(any, any, any);
-    return vm_law_exponential(any, any);
+    vm_broken_rotor r;
+    vm_real re[5] = {any, any, any, any, any}, im[5] = {any, any, any, any, any};
+    r.mass = any;
+    r.inertia = any;
+    r.stiffness = any;
+    r.damping = any;
+    r.torque = any;
+    r.s = any;
+    if (vm_broken_rotor_eigenvalues(&r, any, re, im) >= 0) sink[0] = re[0] + im[0];
 }
 
-void eva_laws(void)
+void eva_torque_free_principal(void)
 {
-    const vm_law law = any_law();
-    vm_real f = any, rate = any;
-    if (vm_law_at(&law, any, &f, &rate) >= 0) sink[0] = f + rate;
+    vm_torque_free motion;
+    vm_quat q = any_quat();
+    vm_vec3 omega = any_vector();
+    memset(&motion, 0, sizeof motion);
+    if (vm_torque_free_init_principal(&motion, any_vector(), any_quat(), any_vector(), any) < 0) return;
+    if (vm_torque_free_attitude(&motion, any, &q, &omega) >= 0) sink[0] = q.w + omega.x;
 }
 
-void eva_osc_approximations(void)
+/* ---- Status names ---- */
+
+void eva_names(void)
 {
-    vm_real x = any, v = any;
-    vm_osc_trig(any, any, any, any, &x, &v);
-    vm_osc_jacobi(any, any, any, any, &x, &v);
-    sink[0] = x + v + vm_osc_omega_trig(any);
-    sink[1] = vm_osc_jacobi_parameter(any) + vm_osc_omega_jacobi(any);
-    sink[2] = vm_osc_amplitude_law(any, any, any, any) + vm_osc_velocity_law(any, any, any, any);
+    const char *name = vm_strerror(any_int);
+    sink[0] = (vm_real)name[0];
+    name = vm_osc_route_name(any_int);
+    sink[1] = (vm_real)name[0];
+    sink[2] = vm_osc_approximation_errors(any).trig_x;
 }
 
-void eva_law_integrals(void)
+/* ---- Lagrange's equations ---- */
+
+static void lagrange_masses(vm_real t, const vm_real *q, vm_real *masses, void *ctx)
 {
-    const vm_law f = any_law(), g = any_law();
-    vm_real integral = any;
-    if (vm_law_inverse_integral(&f, any, &integral) >= 0) sink[0] = integral;
-    if (vm_law_ratio_integral(&f, &g, any, &integral) >= 0) sink[1] = integral;
+    (void)ctx;
+    sink[0] = t;
+    sink[1] = q[0] + q[1];
+    masses[0] = any;
 }
 
-vm_osc_problem any_problem(void)
+static vm_real lagrange_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
 {
-    vm_osc_problem o;
-    o.alpha = any;
-    o.mass = any_law();
-    o.stiffness = any_law();
-    o.reactive = any;
-    o.damping = any;
-    o.x = any;
-    o.v = any;
-    o.force = NULL;
-    o.ctx = NULL;
-    return o;
+    (void)ctx;
+    sink[0] = t;
+    sink[1] = q[0] + q[1] + rates[0] + rates[1] + masses[0];
+    return any;
 }
 
-void eva_osc_closed(void)
+static int lagrange_forces(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, vm_real *Q, void *ctx)
 {
-    const vm_osc_problem o = any_problem();
-    vm_osc_closed c;
-    vm_real x = any, v = any;
-    memset(&c, 0, sizeof c); /* EVA does not relate a status to what was written */
-    if (vm_osc_closed_init(&c, &o, any_int, any) < 0) return;
-    if (vm_osc_closed_at(&c, any, &x, &v) >= 0) sink[0] = x + v;
-    if (vm_osc_closed_at_order2(&c, any, &x, &v) >= 0) sink[1] = x + v;
-    if (vm_osc_closed_at_order3(&c, any, &x, &v) >= 0) sink[2] = x + v;
+    (void)ctx;
+    sink[0] = t;
+    sink[1] = q[0] + q[1] + rates[0] + rates[1] + masses[0];
+    Q[0] = any;
+    Q[1] = any;
+    return any_int;
 }
 
-void eva_adiabaticity(void)
+void eva_lagrange_jumps(void)
 {
-    const vm_osc_problem o = any_problem();
-    sink[0] = vm_adiabaticity(&o, any, any);
+    const vm_real a[4] = {any, any, any, any}, b[4] = {any, any, any, any}, q[2] = {any, any}, p[2] = {any, any};
+    vm_real after[2] = {any, any}, work[VM_LAGRANGE_WORK(2)];
+    if (vm_lagrange_separate(2, a, b, q, any_int ? p : NULL, any_int ? p : NULL, after, work) >= 0) sink[0] = after[0];
+    if (vm_lagrange_attach(2, a, b, q, any_int ? p : NULL, any_int ? p : NULL, after, work) >= 0) sink[1] = after[0];
+    if (vm_lagrange_impact(2, a, q, p, after, work) >= 0) sink[2] = after[0];
 }
 
-void eva_duffing(void)
+void eva_lagrange_shares(void)
 {
-    vm_real x = any, v = any;
-    sink[0] = vm_duffing_energy(any, any, any, any) + vm_duffing_period(any, any, any) + vm_duffing_action(any, any, any);
-    vm_duffing_exact_from(any, any, any, any, any, &x, &v);
-    sink[1] = x + v;
+    const vm_body b = any_body();
+    const vm_impulse j = any_impulse();
+    const vm_vec3 dr[2] = {any_vector(), any_vector()}, turn[2] = {any_vector(), any_vector()};
+    vm_real matrix[4] = {any, any, any, any}, p[2] = {any, any};
+    vm_lagrange_mass(2, &b, any_int ? dr : NULL, any_int ? turn : NULL, matrix);
+    vm_lagrange_momentum(2, &b, any_int ? dr : NULL, any_int ? turn : NULL, p);
+    vm_lagrange_impulse(2, &j, any_vector(), any_int ? dr : NULL, any_int ? turn : NULL, p);
+    vm_lagrange_add_force(2, any_vector(), any_int ? dr : NULL, any_vector(), any_int ? turn : NULL, p);
+    sink[0] = p[0] + matrix[0];
 }
 
-vm_vdp any_vdp(void)
+void eva_lagrange(void)
 {
-    vm_vdp v;
-    memset(&v, 0, sizeof v);
-    v.alpha = any;
-    v.k = any;
-    v.feed = any;
-    v.c = any;
-    v.reactive = any;
-    v.method = any_int;
-    v.mass = any_law();
-    return v;
+    const vm_real scales[2] = {any, any}, q[2] = {any, any}, rates[2] = {any, any}, a[2] = {any, any};
+    vm_real work[VM_LAGRANGE_RHS_WORK(2, 1)], y[4] = {any, any, any, any}, found[4] = {any, any, any, any};
+    vm_lagrange_system s;
+    s.n = 2;
+    s.n_masses = 1;
+    s.masses = lagrange_masses;
+    s.energy = lagrange_energy;
+    s.forces = any_int ? lagrange_forces : NULL;
+    s.ctx = NULL;
+    s.scales = any_int ? scales : NULL;
+    s.work = work;
+    if (vm_lagrange_start(&s, any, q, rates, y) >= 0) sink[0] = y[0];
+    if (vm_lagrange_rates(&s, any, y, found) >= 0) sink[1] = found[0];
+    if (vm_lagrange_rhs(any, y, found, &s) >= 0) sink[2] = found[0];
+    if (vm_lagrange_drive_forces(&s, any, any, q, rates, a, found) >= 0) sink[3] = found[0];
+    if (vm_lagrange_needed_forces(&s, any, any, q, rates, a, found) >= 0) sink[4] = found[0];
+    sink[5] = vm_lagrange_partial_q(&s, any, q, rates, any_int ? 1 : 0);
 }
 
-void eva_vdp(void)
-{
-    vm_vdp v = any_vdp();
-    vm_real y[2] = {any, any}, rates[2] = {any, any};
-    int stable = any_int;
-    if (vm_vdp_init(&v) < 0) return;
-    sink[0] = vm_vdp_amplitude(&v, any, any) + vm_vdp_limit_cycle(&v, any, &stable);
-    if (vm_vdp_rhs(any, y, rates, &v) >= 0) sink[1] = rates[0];
-    if (vm_vdp_averaged_rhs(any, y, rates, &v) >= 0) sink[2] = rates[0];
-}
-
-void eva_pair(void)
-{
-    vm_pair p;
-    vm_real y[4] = {any, any, any, any}, found[4] = {any, any, any, any};
-    p.alpha = any;
-    p.k = any;
-    p.reactive = any;
-    p.mass = any_law();
-    if (vm_pair_rhs(any, y, found, &p) >= 0) sink[0] = found[0];
-    if (vm_pair_averaged_rhs(any, y, found, &p) >= 0) sink[1] = found[0];
-    if (vm_pair_to_averaged(&p, any, y, found) >= 0) sink[2] = found[0];
-    if (vm_pair_from_averaged(&p, any, y, found) >= 0) sink[3] = found[0];
-    if (vm_pair_at(&p, any, y, found) >= 0) sink[4] = found[0];
-}
-
-void eva_coupled_pair(void)
-{
-    vm_connection c[2] = {{any, any}, {any, any}};
-    vm_coupled_pair p;
-    vm_osc_problem o = any_problem();
-    vm_real y[4] = {any, any, any, any}, found[4] = {any, any, any, any};
-    p.mass[0] = any_law();
-    p.mass[1] = any_law();
-    p.reactive = any;
-    p.damping = any;
-    p.n = any_int ? 1 : 2;
-    p.connections = c;
-    p.force = NULL;
-    p.ctx = NULL;
-    p.momentum = any;
-    if (vm_coupled_pair_rhs(any, y, found, &p) >= 0) sink[0] = found[0];
-    if (vm_coupled_pair_to_modes(&p, any, y, found) >= 0) sink[1] = found[0];
-    if (vm_coupled_pair_from_modes(&p, any, y, found) >= 0) sink[2] = found[0];
-    if (vm_coupled_pair_oscillator(&p, y, &o) >= 0) sink[3] = o.x;
-}
-
-vm_forced any_forced(void)
-{
-    vm_forced f;
-    memset(&f, 0, sizeof f);
-    f.alpha = any;
-    f.damping = any;
-    f.reactive = any;
-    f.mass = any_law();
-    f.stiffness = any_law();
-    f.frequency = any_law();
-    f.force = any_law();
-    return f;
-}
-
-void eva_forced(void)
-{
-    vm_forced f = any_forced();
-    vm_real y[3] = {any, any, any}, found[3] = {any, any, any};
-    if (vm_forced_init(&f) < 0) return;
-    if (vm_forced_rhs(any, y, found, &f) >= 0) sink[0] = found[0];
-    if (vm_forced_exact_rhs(any, y, found, &f) >= 0) sink[1] = found[0];
-    if (vm_forced_averaged_rhs(any, y, found, &f) >= 0) sink[2] = found[0];
-    if (vm_forced_to_averaged(&f, any, y, found) >= 0) sink[3] = found[0];
-    if (vm_forced_from_averaged(&f, any, y, found) >= 0) sink[4] = found[0];
-}
-
-void eva_resonance(void)
-{
-    vm_forced f = any_forced();
-    vm_steady_state states[3];
-    vm_passage passage;
-    memset(states, 0, sizeof states);
-    memset(&passage, 0, sizeof passage);
-    if (vm_forced_init(&f) < 0) return;
-    if (vm_forced_steady_states(&f, any, states) > 0) sink[0] = states[0].A;
-    if (vm_forced_curve(&f, any, any, states) > 0) sink[1] = states[0].A;
-    sink[2] = vm_forced_peak(&f, any);
-    if (vm_forced_passage(&f, any, any, &passage) >= 0) sink[3] = passage.drift_ratio;
-}
-
-void eva_jeffcott(void)
-{
-    vm_power_force shaft;
-    vm_jeffcott r;
-    vm_real y[5] = {any, any, any, any, any}, found[5] = {any, any, any, any, any};
-    memset(&r, 0, sizeof r);
-    shaft.k = any;
-    shaft.alpha = any;
-    r.mass = any_law();
-    r.stiffness = vm_jeffcott_power;
-    r.stiffness_ctx = &shaft;
-    r.gyro = any;
-    r.reactive = any;
-    r.u.re = any;
-    r.u.im = any;
-    r.nodes = 8;
-    if (vm_jeffcott_rhs(any, y, found, &r) >= 0) sink[0] = found[0];
-    if (vm_jeffcott_to_averaged(&r, any, y, any, found) >= 0) sink[1] = found[0];
-    if (vm_jeffcott_from_averaged(&r, any, y, found) >= 0) sink[2] = found[0];
-    if (vm_jeffcott_exact_rhs(any, y, found, &r) >= 0) sink[3] = found[0];
-    if (vm_jeffcott_averaged_rhs(any, y, found, &r) >= 0) sink[4] = found[0];
-    if (vm_jeffcott_forward_whirl_rhs(any, y, found, &r) >= 0) sink[5] = found[0];
-    if (vm_jeffcott_backward_whirl_rhs(any, y, found, &r) >= 0) sink[6] = found[0];
-    sink[7] = vm_jeffcott_frequency(&r, any, any, any_int);
-}
-
-/* ---- Scenes ---- */
-
-void eva_forces(void)
-{
-    vm_real x = any, y = any;
-    sink[0] = vm_force_spring(any, any, any) + vm_force_van_der_pol(any, any, any, any) + vm_force_motor(any, any, any);
-    sink[1] = vm_force_harmonic(any, any, any, any) + vm_force_stream(any, any, any, any);
-    vm_force_shaft(any, any, any, any, &x, &y);
-    sink[2] = x + y;
-    vm_force_unbalance(any, any, any, any, &x, &y);
-    sink[3] = x + y;
-    vm_force_gyroscopic(any, any, any, &x, &y);
-    sink[4] = x + y;
-}
-
-void eva_scene(void)
-{
-    vm_scene s;
-    vm_scene_body bodies[2];
-    vm_effect effects[2];
-    vm_real y[32], rates[32];
-    memset(&s, 0, sizeof s);
-    bodies[0] = vm_scene_body_line(any, any, any);
-    bodies[1] = vm_scene_body_plane(any, any, any_vector(), any, any_vector(), any);
-    effects[0] = vm_effect_gravity(0, 0, any);
-    effects[1] = vm_effect_spring(0, 0, 1, 0, any, any, any);
-    s.bodies = bodies;
-    s.n_bodies = 2;
-    s.effects = effects;
-    s.n_effects = 2;
-    if (vm_scene_start(&s, any, y, NULL) < 0) return;
-    if (vm_scene_rhs(any, y, rates, &s) >= 0) sink[0] = rates[0];
-}
+#include "eva_oscillators.h"
+#include "eva_scenes.h"
