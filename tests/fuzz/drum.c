@@ -82,6 +82,15 @@ static void check_geometry(const vm_drum *d, vm_real phi, const vm_drum_geometry
     HOLDS(fabs((double)g->arc_centre) <= R_ * (1 + 4 * EPS));
 }
 
+/* Is j Omega_b t/J0 or e t/J0 so large that vm_drum_angle is NaN? The comment of the function has the bound. */
+static int two_words_overflow(const vm_drum *d, vm_real t)
+{
+    const double most = (double)VM_MAX / (IS_FLOAT ? 8192 : 268435456), per_inertia = (double)t / (double)d->inertia;
+    const double j = (double)d->band * (double)d->radius * (double)d->radius;
+    const double e = (double)d->band * (double)d->radius * (double)d->speed - (double)d->damping;
+    return !(j * (double)d->omega * per_inertia < most && fabs(e) * per_inertia < most);
+}
+
 static void check_rigid(void)
 {
     const vm_drum d = draw_drum();
@@ -107,6 +116,7 @@ static void check_rigid(void)
     if (!(phi < R(0.9) * stop) || phi > 7) return;
     HOLDS(rate > 0 && t >= 0);
     HOLDS(vm_drum_time(&d, neighbour(phi, 1)) >= t * (1 - 8 * VM_EPSILON) - 2 * SMALLEST);
+    if (two_words_overflow(&d, t)) return;
     HOLDS(within(vm_drum_angle(&d, t), phi, 16 * EPS * ((double)phi + (double)rate * (double)t)));
     check_published(&d, t);
 }
