@@ -8,6 +8,7 @@ cc=${CC:-cc} build=$1/fuzz_replay
 replay() { "$1" -n 4000 tests/fuzz/corpus/*.hex; }
 
 check "every public function is called" sh tests/fuzz/called.sh tests/fuzz/*.c tests/fuzz/*.h
+check "every deliberate error still changes a header" sh tests/fuzz/planted.sh "$build" 0
 for precision in double float; do
     flags=
     [ $precision = float ] && flags=-DVM_USE_FLOAT

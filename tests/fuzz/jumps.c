@@ -5,18 +5,22 @@
 
 static int tame_impulse(const vm_impulse *j) { return !j || (tame3(j->linear) && tame3(j->couple) && tame3(j->at)); }
 
-/* What the rounding of positions far from the origin may do to the angular momentum of turning bodies: a moment of inertia that is
+/* What roundings may do to the angular momentum of n bodies besides some eps of their angular momenta about a given point. A jump
+   computes about the centre of the body that it changes. There fast bodies may have much angular momentum, even if they pass
+   close to the given point; `momentum` is the sum of |m v|. Far from the origin positions are rounded: a moment of inertia that is
    lost in this rounding counts as none, and takes its angular momentum with it. */
-static double lost_far_away(int n, const vm_body *bodies, vm_vec3 centre)
+static double noise_of_places(int n, const vm_body *bodies, vm_vec3 centre, double momentum)
 {
-    double far = 0, moments = 0, turning = 0;
+    double far = 0, reach = 0, moments = 0, turning = 0;
     int i;
     for (i = 0; i < n; i++) {
-        far = size3(bodies[i].r) > far ? size3(bodies[i].r) : far;
-        moments += (double)bodies[i].mass * size3(vm_sub(bodies[i].r, centre));
+        const double distance = size3(vm_sub(bodies[i].r, centre));
+        far = larger(far, size3(bodies[i].r));
+        reach = larger(reach, distance);
+        moments += (double)bodies[i].mass * distance;
         turning += size3(bodies[i].omega);
     }
-    return EPS * far * moments * turning;
+    return 16 * EPS * far * moments * turning + 4 * EPS * momentum * reach;
 }
 
 /* Momentum and angular momentum about a random point balance, to some eps of what is there for each part that joins. */
@@ -36,7 +40,8 @@ static void check_balance(int n, const vm_body *before, int m, const vm_body *af
     HOLDS(size3(b.momentum) <= 16 * EPS * (double)b.momentum_scale);
     if (!null_axis)
         HOLDS(size3(b.angular_momentum) <= (n > 2 ? n - 1 : 1) * 64 * EPS * (double)b.angular_momentum_scale +
-                                               16 * (lost_far_away(n, before, after->r) + lost_far_away(m, after, before->r)));
+                                               noise_of_places(n, before, after->r, (double)b.momentum_scale) +
+                                               noise_of_places(m, after, before->r, (double)b.momentum_scale));
 }
 
 /* Inertias about one point and in one set of axes add up: what is before is what is after. A moment that is lost
