@@ -7892,9 +7892,9 @@ VM_API vm_real vmi_drum_start(vm_real a, vm_real b)
 /* Angle of the drum on a rigid shaft after t >= 0 seconds, rad.
    This is the inverse of vm_drum_time, computed by Newton's method in two words. Unlike vm_drum_angle_lambert, the
    function need not choose a branch of Lambert's W.
-   The comment of vm_drum_rate says how accurate the result is and when the result is NaN. The result is NaN also if j
-   Omega_b t/J0 or e t/J0 is above VM_MAX/2^28 (in float above VM_MAX/2^13), because products in two words overflow for
-   so large numbers. The comment of vm_drum_rate explains the letters J0, Omega_b, e, j, too. The method uses the numbers x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0
+   The comment of vm_drum_rate says how accurate the result is, when it is NaN, and what J0, Omega_b, e and j are. The
+   result may also be NaN if j Omega_b t/J0 or e t/J0 is above VM_MAX/2^28 (in float VM_MAX/2^13), because such numbers
+   overflow in two words. The method uses x = e phi/(J0 Omega_b), y = ln(1 + x), a = e t/J0, b = j Omega_b t/J0
    and f = phi/(Omega_b t). Its unknown is p = y/a, for which the equation of vm_drum_time becomes
      p + b f^2 (x - y)/x^2 = 1,   where x = exp(y) - 1 and f = p x/y.
    The left side is a convex function of p with the positive slope 1 + b f. Therefore the method converges from any

@@ -80,7 +80,8 @@ static void check_kinetics(const vm_body *b)
     if (!tame_body(b)) return;
     HOLDS(finite3(p) && finite3(L) && is_finite(T));
     if (b->mass > 0 && vm_inertia_is_possible(&b->inertia))
-        HOLDS(T >= 0 || T >= -R(64) * VM_EPSILON * (b->inertia.xx + b->inertia.yy + b->inertia.zz) * R(size3(b->omega) * size3(b->omega)));
+        HOLDS(T >= 0 || T >= -R(64) * VM_EPSILON * (b->inertia.xx + b->inertia.yy + b->inertia.zz) *
+                                 R(size3(b->omega) * size3(b->omega)));
     HOLDS(is_nan(vm_kinetic_energy(NULL)) && is_nan3(vm_momentum(NULL)) &&
           is_nan3(vm_angular_momentum(NULL, origin)));
 }
