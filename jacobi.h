@@ -4026,12 +4026,14 @@ VM_INLINE int vmi_incomplete_special(vm_real phi, vm_real m1)
 }
 
 /* Returns turns * complete + part, an integral from 0 to phi. `complete` is the integral from 0 to pi/2, `part` the
-   integral from 0 to theta. Where the terms are not huge, the result is rounded only once. */
+   integral from 0 to theta. Where the terms are not huge, the result is rounded only once. If `complete` is infinite,
+   the result is infinite with the sign of turns * complete, even if `part` is infinite with the other sign. */
 VM_INLINE vm_real vmi_with_turns(vm_real turns, vm_real complete, vm_real part)
 {
-    const int safe = VM_FABS(turns) < 1 / VM_EPSILON && VM_FABS(complete) < VM_MAX * VM_EPSILON;
+    const vm_real limit = VM_MAX * VM_EPSILON;
+    const int safe = VM_FABS(turns) < 1 / VM_EPSILON && VM_FABS(complete) < limit && VM_FABS(part) < limit;
     if (safe) return vmi_two_plus(vmi_two_product(turns, complete), vmi_two(part, 0)).hi;
-    return turns * complete + part;
+    return VM_IS_FINITE(complete) ? turns * complete + part : turns * complete;
 }
 
 /* Returns F(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
@@ -4330,9 +4332,8 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
     if (vmi_incomplete_special(phi, m1) || !VM_IS_FINITE(n)) {
         const vm_real complete = vmi_Pi(n, m, m1);
         if (!(m1 >= 0) || phi != phi || complete != complete) return VM_NAN;
-        if (!VM_IS_FINITE(phi) && complete != 0) return VM_COPYSIGN(phi, phi * complete);
-        if (VM_IS_FINITE(phi) && (complete == 0 || m1 == 0)) return 0 * phi;
-        return VM_NAN;
+        if (VM_IS_FINITE(phi)) return 0 * phi; /* n or m is infinite, and Pi(n | m) is 0 */
+        return complete == 0 ? VM_NAN : VM_COPYSIGN(phi, phi * complete);
     }
     angle = vmi_angle_of(phi);
     if (VM_FABS(angle.turns) == 2 && angle.s.hi * angle.turns < 0 && n < 1 && m1 > 0) {
@@ -4349,8 +4350,8 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
    phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
-   (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1. Beyond the first pole Pi is Cauchy's principal value. For
-   n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. For a finite phi, Pi is 0
+   (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1; if rounding makes n sin^2 phi equal to 1, Pi is infinite.
+   Beyond the first pole Pi is Cauchy's principal value. For n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the effect of changing n by 4 ulp. For a finite phi, Pi is 0
    for infinite n and a finite m < 1, and for m = -infinity and a finite n < 1. Pi is NaN for those infinite n or m for
    which jacobi_Pi(n, m) is NaN. For infinite phi and m <= 1, Pi is infinite with the sign of phi Pi(n | m), and NaN if
    Pi(n | m) is 0 or NaN. For m > 1 Pi is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m or n.

@@ -326,6 +326,31 @@ static void test_complete_from_m1(void)
 
 static int is_nan(vm_real x) { return x != x; }
 
+/* Next to the poles of Pi, n sin^2 phi = 1, Pi is never NaN, although it is infinite at some of these arguments. */
+static void check_next_to_pole(vm_real phi, vm_real m, int *infinite)
+{
+    const vm_real pole = 1 / (VM_LIBM(sin)(phi) * VM_LIBM(sin)(phi));
+    int k;
+    for (k = -8; k <= 8; k++) {
+        const vm_real n = pole * (1 + R(k) * VM_EPSILON), P = jacobi_Pi_incomplete(phi, n, m);
+        CHECK(!is_nan(P) && jacobi_Pi_incomplete(-phi, n, m) == -P);
+        *infinite += VM_FABS(P) > VM_MAX;
+    }
+}
+static void test_poles(void)
+{
+    static const double parameters[] = {-3, 0.375, 0.875, 1};
+    int i, j, infinite = 0;
+    for (i = 0; i < 4; i++)
+        for (j = 0; j < 400; j++) {
+            const vm_real phi = j < 200 ? VM_PI / 4 * R(2 * j + 1) : R(0.1) + R(0.047) * R(j - 200);
+            if (VM_FABS(VM_LIBM(sin)(phi)) > R(0.01)) check_next_to_pole(phi, R(parameters[i]), &infinite);
+        }
+    CHECK(infinite >= 1000);
+    for (j = 1; j < 200; j++) check_next_to_pole(R(0.00125) * R(j), 15, &infinite);
+    CHECK(jacobi_Pi_incomplete(2, R(0.5), 1) == VM_INFINITY && jacobi_Pi_incomplete(-2, 3, 1) == VM_INFINITY);
+}
+
 static void test_limits(void)
 {
     const vm_real inf = VM_INFINITY, half = R(0.5);
@@ -486,6 +511,7 @@ int main(void)
     test_symmetric();
     test_zeros_and_seams();
     test_complete_from_m1();
+    test_poles();
     test_limits();
     test_quotients();
     test_domain();
