@@ -12190,7 +12190,7 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
         if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* there is no force before the start */
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
-        vmi_osc_wave_at(&w, at->psi + way, &ca, &sa);
+        vmi_osc_wave_at(&w, at->psi + side * way, &ca, &sa);
         F = p->problem.force(time, at->A * ca, -V * sa, p->problem.ctx) / (at->now.m * V);
         rate_A[i] = -q / n * sa * sa - 2 / n * F * sa;
         rate_psi[i] = -q / 2 * sa * ca - F * ca;

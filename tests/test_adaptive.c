@@ -88,6 +88,55 @@ static void test_extreme_times(void)
     CHECK(rk45_init(&s, linear_rhs, NULL, 3, -VM_MAX, y0, NULL, work) == ODE_OK && rk45_solve(&s, VM_MAX) < 0);
 }
 
+/* y' is what the context holds. */
+static int given_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t;
+    (void)y;
+    dydt[0] = *(const vm_real *)ctx;
+    return 0;
+}
+
+/* y less the level in the context */
+static vm_real above_level(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    return y[0] - *(const vm_real *)ctx;
+}
+
+/* After an event the time of the state is s.t + s.t_low. A run from there to s.t or to a neighbouring time is so short that
+   the low word of the time decides how long it is. A run to s.t does nothing where s.t_low > 0: this state is there already. */
+static void test_low_word_of_time(void)
+{
+    vm_real zero = 0, work[RK87_WORK(1)], slope, level;
+    rk45_options o = {0};
+    ode_event stop;
+    int m, i, ulps, apart = 0;
+    memset(&stop, 0, sizeof stop);
+    stop.g = above_level;
+    stop.ctx = &level;
+    stop.action = ODE_STOP;
+    o.events = &stop;
+    o.n_events = 1;
+    for (m = 0; m < METHODS; m++)
+        for (i = 1; i < 60; i++)
+            for (ulps = -2; ulps <= 2; ulps++) {
+                rk45 s;
+                double left;
+                slope = 1;
+                level = R(0.5 + 0.0079 * i);
+                CHECK(methods[m].init(&s, given_rhs, &slope, 1, 0, &zero, &o, work) == ODE_OK);
+                CHECK(methods[m].solve(&s, 2) == ODE_EVENT);
+                apart += s.t_low != 0;
+                left = ulps == 0 && s.t_low > 0 ? 0 : ulps * eps - (double)s.t_low;
+                slope = 1 / VM_EPSILON;
+                level = 100; /* no further event */
+                CHECK(methods[m].restart(&s, s.t, &zero) == ODE_OK && methods[m].solve(&s, s.t + R(ulps) * VM_EPSILON) == ODE_OK);
+                check_error("y' = 1/eps", methods[m].name, "abs", fabs((double)s.y[0] - left / eps), 1e-3, i, ulps);
+            }
+    CHECK(apart > 50);
+}
+
 /* y' = cos t */
 static int cosine_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -857,6 +906,7 @@ int main(void)
     test_arenstorf();
     test_step_sizes();
     test_extreme_times();
+    test_low_word_of_time();
     test_first_steps();
     test_rejected_steps();
     test_power();

@@ -175,6 +175,18 @@ static void test_reduction(void)
     CHECK(quarter == 1 && r.hi == -half && r.lo == 0);
 }
 
+/* A number is split into a power of two and a factor next to 1 without rounding. */
+static void test_mantissa(void)
+{
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const vm_real x = (vm_real)ldexp(uniform(1, 2), i % 200 - 100);
+        vm_real k;
+        const vm_real z = vmi_ateb_mantissa(x, &k);
+        CHECK(ldexp((double)z, (int)k) == (double)x && (double)z > 0.70710678 && (double)z < 1.41421357);
+    }
+}
+
 /* The kernels: ln x in two words, e^y, x^y; underflow, overflow, NaN. */
 static void test_elementary(void)
 {
@@ -953,6 +965,7 @@ int main(void)
     test_elementary();
     test_kernel_points();
     test_reduction();
+    test_mantissa();
     test_table();
     test_identities();
     test_derivative_of_ca();

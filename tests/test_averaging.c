@@ -443,6 +443,57 @@ static vm_osc_plan plan_at_mean(double a, int with_force)
     return p;
 }
 
+/* What a force has been asked for */
+typedef struct asked {
+    double t[VMI_AVERAGING_POINTS], x[VMI_AVERAGING_POINTS], v[VMI_AVERAGING_POINTS];
+    int n;
+} asked;
+
+static vm_real asking_force(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    asked *all = (asked *)ctx;
+    all->t[all->n] = (double)t;
+    all->x[all->n] = (double)x;
+    all->v[all->n++] = (double)v;
+    return 0;
+}
+
+/* In the period before a moment, the force is asked at times and states that belong together: x = A ca(psi) and
+   v = -V sa(psi), where psi grows by Om a second. So in a motion backward in time, too. */
+static void test_states_of_a_period(void)
+{
+    const double a = 1.5;
+    int side;
+    for (side = -1; side <= 1; side += 2) {
+        asked all;
+        vm_osc_problem o = problem(a, vm_law_linear(1, 0), 1, 0);
+        vm_osc_plan p;
+        vmi_osc_moment at;
+        vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS], sa, ca;
+        int i;
+        all.n = 0;
+        o.force = asking_force;
+        o.ctx = &all;
+        CHECK(vm_osc_plan_init(&p, &o) == VM_OK && vmi_osc_rates_at(&o, R(side * 100), -side, &at.now) == VM_OK);
+        at.plan = &p;
+        at.t = R(side * 100);
+        at.t_end = R(side * 200);
+        at.A = R(0.8);
+        at.psi = R(0.7);
+        at.Om = vmi_osc_rate(at.A, VM_SQRT(at.now.k / at.now.m), R(a));
+        all.n = 0;
+        vmi_osc_period_rates(&at, 0, rate_A, rate_psi);
+        CHECK(all.n == VMI_AVERAGING_POINTS);
+        for (i = 0; i < all.n; i++) {
+            const double psi = (double)at.psi + (double)at.Om * (all.t[i] - side * 100.);
+            ateb_saca(R(psi), R(a), &sa, &ca);
+            near("(332)", "x", all.x[i], 0.8 * (double)ca, by_precision(1e-12, 1e-4));
+            near("(332)", "v", all.v[i], -2 * 0.8 * (double)at.Om / (a + 1) * (double)sa, by_precision(1e-12, 1e-4));
+            CHECK(side * all.t[i] <= 100 && side * all.t[i] > 100 - 2 * (double)p.ripple.pi / (double)at.Om - 1e-3);
+        }
+    }
+}
+
 /* The reactive force alone: one law by all methods, and theta stays. */
 static void check_reactive_average(double a)
 {
@@ -910,6 +961,7 @@ int main(void)
     test_generating_relation();
     test_means();
     test_averages();
+    test_states_of_a_period();
     test_means_of_cn();
     test_measured_exponents();
     test_damping_alone();

@@ -198,6 +198,7 @@ static void test_listed_times_interrupted(const method *m)
     ode_event event;
     rk45_options o;
     rk45 s;
+    vm_real now, half_way;
     int done;
     memset(&event, 0, sizeof event);
     memset(&o, 0, sizeof o);
@@ -209,7 +210,9 @@ static void test_listed_times_interrupted(const method *m)
     CHECK(m->init(&s, stops_at_one, NULL, 1, 0, y0, &o, work) == ODE_OK);
     CHECK(m->solve_at(&s, 5, times, rows, &done) == ODE_EVENT && done == 3 && s.event == 0);
     CHECK(fabs((double)s.t - 0.5) < 1e-4 && fabs((double)rows[2] - 0.140625) < 1e-4 && rows[3] == 7);
-    CHECK(m->solve_at(&s, 2, times + 3, rows + 3, &done) == ODE_RHS_STOPPED && done == 1);
+    now = s.t;
+    CHECK(m->solve_at(&s, 1, &now, &half_way, &done) == ODE_OK && done == 1 && half_way == s.y[0] && s.event == -1);
+    CHECK(m->solve_at(&s, 2, times + 3, rows + 3, &done) == ODE_RHS_STOPPED && done == 1 && s.event == -1);
     CHECK(fabs((double)rows[3] - 0.5625) < 1e-4 && rows[4] == 7);
     o.max_steps = 1;
     CHECK(m->init(&s, stops_at_one, NULL, 1, 0, y0, &o, work) == ODE_OK);

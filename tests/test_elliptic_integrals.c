@@ -351,6 +351,22 @@ static void test_poles(void)
     CHECK(jacobi_Pi_incomplete(2, R(0.5), 1) == VM_INFINITY && jacobi_Pi_incomplete(-2, 3, 1) == VM_INFINITY);
 }
 
+/* The product of numbers in two words that Pi and D are, rounded to one word */
+static void test_times_sum(void)
+{
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const vm_real a = R(uniform(0.5, 1)), b = R(uniform(0, 3)), c = R(uniform(-1, 3));
+        const vm_two s = vmi_two(a, a * VM_EPSILON / 4 * R(uniform(-1, 1)));
+        const vm_two first = vmi_two(b, b * VM_EPSILON / 4 * R(uniform(-1, 1)));
+        const vm_two second = vmi_two(c, c * VM_EPSILON / 4 * R(uniform(-1, 1)));
+        const vm_two wanted = vmi_two_times(s, vmi_two_plus(first, second));
+        if (b + c > R(0.5))
+            check_error("s (a + b)", "", "ulp", ERROR_ULP(vmi_times_sum(s, first, second), (double)wanted.hi, (double)wanted.lo),
+                        1.01, (double)b, (double)c);
+    }
+}
+
 static void test_limits(void)
 {
     const vm_real inf = VM_INFINITY, half = R(0.5);
@@ -512,6 +528,7 @@ int main(void)
     test_zeros_and_seams();
     test_complete_from_m1();
     test_poles();
+    test_times_sum();
     test_limits();
     test_quotients();
     test_domain();

@@ -685,6 +685,42 @@ static void test_kernels(void)
     CHECK(vmi_nearest(VM_C(2.6)) == 3 && vmi_nearest(VM_C(-2.6)) == -3 && vmi_nearest(VM_NAN) == 0);
 }
 
+/* The reduction by a quarter period q of any size. Where x/q has so few digits that its rounding changes the count of
+   quarters, the remainder must be reduced once more. fma tells x - j q exactly. */
+static void test_reduction_by_any_quarter(void)
+{
+    static const double quarters[6] = {1.3e-6, 0.011, 0.3, 0.77, 5.5, 1.7e6};
+    int i, j;
+    for (i = 0; i < 6; i++)
+        for (j = 0; j < 2000; j++) {
+            const vm_real q = (vm_real)quarters[i];
+            const double many = ldexp(uniform(0.25, 0.5), j % 8) / 130 / (double)VM_EPSILON, x = (double)((vm_real)many * q);
+            int quarter;
+            const vm_two r = vmi_reduce((vm_real)x, vmi_two(q, 0), &quarter);
+            const double count = floor((x - (double)r.hi) / (double)q + 0.5);
+            CHECK(fabs((double)r.hi) <= 0.5011 * (double)q && quarter == (int)fmod(count, 4));
+            CHECK(fabs((fma(-count, (double)q, x) - (double)r.hi) - (double)r.lo) <= 1e-30 * x);
+        }
+}
+
+/* The quarter period by the table, at both ends of each piece and inside, against the mean in three words */
+static void test_period_table(void)
+{
+    const double unit = ldexp(1, PRECISION[0] == 'f' ? -36 : -71);
+    int row, i;
+    for (row = 0; row < VMI_PERIOD_ROWS; row++)
+        for (i = 0; i <= 64; i++) {
+            const double share = i < 64 ? i / 64. : 1 - 4 * (double)VM_EPSILON;
+            const vm_real start = (vm_real)ldexp(1 + ((row + 3) % 8 + share) / 8, (row + 3) / 8 - 3);
+            const vm_real m1 = start * start, kp = VM_SQRT(m1);
+            const vmi_period K = vmi_period_by_table(m1, 0, kp);
+            const vmi_three wanted = vmi_K_three_words(m1, 0);
+            const vm_real error = (((K.head - wanted.hi) + K.middle) + (K.low - wanted.mid)) - wanted.lo;
+            if (VMI_IN_PERIOD_TABLE(kp))
+                check_error("K", "by its table", "2^-71 or 2^-36", fabs((double)(error / wanted.hi)) / unit, 1, (double)kp, row);
+        }
+}
+
 /* R_F does not depend on the order of its arguments: R_F(0, 1, 2) [1, 19.20.2], and where one of three is apart by as
    much as the series takes */
 static void test_carlson(void)
@@ -762,6 +798,8 @@ int main(void)
     test_solver_table();
     test_domain();
     test_kernels();
+    test_reduction_by_any_quarter();
+    test_period_table();
     test_carlson();
     test_last_digits();
     test_largest_arguments();

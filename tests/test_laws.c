@@ -153,6 +153,22 @@ static void test_not_positive(void)
     refuses_mass(vm_law_linear(VM_INFINITY, 0), 1, VM_NOT_FINITE);
 }
 
+/* Where two neighbouring values of a table are equal, the law is constant between them, at the ends of the table, too. */
+static void test_flat_ends(void)
+{
+    vm_real times[4] = {0, 1, 2, 3}, values[4] = {2, 2, 1, 1}, f[VMI_LAW_ORDERS];
+    int sign, i;
+    for (sign = -1; sign <= 1; sign += 2) {
+        vm_law law;
+        for (i = 0; i < 4; i++) values[i] = R(3 - sign * (i / 2));
+        law = vm_law_table(4, times, values);
+        for (i = 0; i <= 10; i++) {
+            CHECK(vmi_law_derivatives(&law, VM_BAD_MASS, R(i) / 10, i < 10 ? 1 : -1, 0, f) == VM_OK && f[0] == 3 && f[1] == 0);
+            CHECK(vmi_law_derivatives(&law, VM_BAD_MASS, 2 + R(i) / 10, i < 10 ? 1 : -1, 0, f) == VM_OK && f[0] == R(3 - sign) && f[1] == 0);
+        }
+    }
+}
+
 static void test_bad_tables(void)
 {
     vm_real times[3] = {0, 1, 2}, values[3] = {1, 2, 3};
@@ -203,6 +219,7 @@ int main(void)
     test_limits();
     test_subnormal_times();
     test_not_positive();
+    test_flat_ends();
     test_bad_tables();
     test_bad_functions();
     test_null_pointers();

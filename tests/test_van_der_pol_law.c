@@ -572,6 +572,16 @@ static void test_cycle(void)
     }
 }
 
+/* The limit cycle is that of time 0: a stiffness that would be negative later is no error. */
+static void test_cycle_of_time_0(void)
+{
+    vm_vdp v = oscillator(1, 0.1, 0.1, 1, vm_law_linear(1, 0));
+    vm_vdp_cycle cycle, later;
+    CHECK(vm_vdp_cycle_of(&v, &cycle) == VM_OK);
+    v.stiffness = vm_law_linear(v.k, -2 * v.k);
+    CHECK(vm_vdp_cycle_of(&v, &later) == VM_OK && later.largest_x == cycle.largest_x && later.period == cycle.period);
+}
+
 /* ---- Refusals ---- */
 
 static void test_refusals(void)
@@ -742,6 +752,19 @@ static void test_on_cycle(void)
                         times[n]);
         }
 }
+
+/* A motion that has settled takes no more steps: the phase after 1e9 s, which grows at the rate of the cycle, is found at
+   once. (Step by step it would take minutes.) */
+static void test_long_after_settling(void)
+{
+    static vm_vdp_plan plan;
+    const vm_vdp v = oscillator(3, 0.1, 0.1, 1, vm_law_linear(1, 0));
+    vmi_vdp_mean first, second, last;
+    CHECK(vm_vdp_plan_init(&plan, &v, 0.5, 0.3) == VM_OK && vmi_vdp_mean_motion(&plan, 1000, &first) == VM_OK);
+    CHECK(vmi_vdp_mean_motion(&plan, 2000, &second) == VM_OK && vmi_vdp_mean_motion(&plan, 1e9, &last) == VM_OK);
+    check_error("long after", "psi", "rel", fabs((last.psi - second.psi) / ((second.psi - first.psi) * (1e6 - 2)) - 1), 1e-11,
+                1e9, 0);
+}
 #endif
 
 static void test_stiffness_refused(void)
@@ -778,10 +801,12 @@ int main(void)
     test_infinite();
     test_not_slow();
     test_cycle();
+    test_cycle_of_time_0();
 #ifndef VM_USE_FLOAT
     test_slow_stiffness();
     test_constant_mass();
     test_on_cycle();
+    test_long_after_settling();
 #endif
     test_stiffness_refused();
     test_refusals();

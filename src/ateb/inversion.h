@@ -59,17 +59,17 @@ VM_INLINE void vmi_ateb_fraction(const vm_real *e_by_z, vm_real z, int levels, v
    e_(j+1)/w is constant[j] + q slope[j]. */
 VM_API vm_real vmi_ateb_w_fraction(vm_real q, vm_real w)
 {
-    VM_TABLE vm_real constant[14] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
+    VM_TABLE vm_real constant[13] = {VM_C(4.0) / 15,    VM_C(9.0) / 35,    VM_C(16.0) / 63,   VM_C(25.0) / 99,
                                      VM_C(36.0) / 143,  VM_C(49.0) / 195,  VM_C(64.0) / 255,  VM_C(81.0) / 323,
                                      VM_C(100.0) / 399, VM_C(121.0) / 483, VM_C(144.0) / 575, VM_C(169.0) / 675,
-                                     VM_C(196.0) / 783, VM_C(225.0) / 899};
-    VM_TABLE vm_real slope[14] = {VM_C(-4.0) / 15,   VM_C(6.0) / 35,   VM_C(-8.0) / 63,   VM_C(10.0) / 99,
+                                     VM_C(196.0) / 783};
+    VM_TABLE vm_real slope[13] = {VM_C(-4.0) / 15,   VM_C(6.0) / 35,   VM_C(-8.0) / 63,   VM_C(10.0) / 99,
                                   VM_C(-12.0) / 143, VM_C(14.0) / 195, VM_C(-16.0) / 255, VM_C(18.0) / 323,
                                   VM_C(-20.0) / 399, VM_C(22.0) / 483, VM_C(-24.0) / 575, VM_C(26.0) / 675,
-                                  VM_C(-28.0) / 783, VM_C(30.0) / 899};
-    vm_real e_by_w[VMI_ATEB_W_LEVELS + 2], P, Q;
+                                  VM_C(-28.0) / 783};
+    vm_real e_by_w[VMI_ATEB_W_LEVELS + 1], P, Q;
     int j;
-    for (j = 0; j < VMI_ATEB_W_LEVELS + 2; j++) e_by_w[j] = VM_READ(constant[j]) + q * VM_READ(slope[j]);
+    for (j = 0; j <= VMI_ATEB_W_LEVELS; j++) e_by_w[j] = VM_READ(constant[j]) + q * VM_READ(slope[j]);
     vmi_ateb_fraction(e_by_w, w, VMI_ATEB_W_LEVELS, 1 - e_by_w[VMI_ATEB_W_LEVELS] * w * (1 + w * (1 + w / 2) / 4),
                       &P, &Q);
     return Q / (VM_C(1.5) * P - (q + VM_C(0.5)) * w * Q);
