@@ -1257,7 +1257,7 @@ VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *
    evaluation of f. Returns a status. */
 VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 {
-    if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (!y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
     if (t != s->t) {
         const int status = vmi_extend(s);
         if (status) return status;
@@ -1679,6 +1679,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
             p.next_miss = p.steps + VMI_BETWEEN_MISSES;
             p.t_missed = p.t;
             p.t_missed_low = p.t_low;
+            if (p.stiff_wait < 2) p.stiff_wait = 2; /* the test of stiffness waits for a step within the tolerance */
         }
         error = VMI_LARGER(error, VMI_LEAST_ERROR);
         vmi_choose_size(pair.order, pair.keep_from, &trial, error, &p);

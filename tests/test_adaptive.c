@@ -525,6 +525,34 @@ static void test_unresolvable_points(void)
     }
 }
 
+/* Two steps of the smallest size that follow each other and miss the tolerance are both dropped, also if a test of
+   stiffness is due after the first of them. This test comes after every 100 steps; here the first one comes after `wait`
+   steps, and the run ends after fewer than 400. */
+static void test_missed_at_stiffness_test(void)
+{
+    vm_real y0[1] = {1}, work[RK87_WORK(1)];
+    rk45_options o = {0};
+    rk45 plain, s;
+    int i, wait;
+    for (i = 0; i < METHODS; i++) {
+        const method *m = methods + i;
+        int status;
+        CHECK(m->init(&plain, blow_up_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK);
+        plain.stiff_wait = 400;
+        status = m->solve(&plain, 3);
+        CHECK(status < 0 && plain.missed == 0 && plain.steps < 400);
+        for (wait = 1; wait <= 400; wait++) {
+            CHECK(m->init(&s, blow_up_rhs, NULL, 1, 0, y0, NULL, work) == ODE_OK);
+            s.stiff_wait = wait;
+            CHECK(m->solve(&s, 3) == status && s.missed == 0 && s.t == plain.t && s.steps == plain.steps);
+        }
+    }
+    if (is_float) return;
+    o.rtol = R(1e-4) / 237; /* with this tolerance step 200 is the first that misses it */
+    CHECK(rk45_init(&s, blow_up_rhs, NULL, 1, 0, y0, &o, work) == ODE_OK);
+    CHECK(rk45_solve(&s, 3) == ODE_STEP_TOO_SMALL && s.missed == 0 && s.steps == 199);
+}
+
 static void test_blow_up_with_h_min(void)
 {
     vm_real y0[1] = {1}, work[RK45_WORK(1)];
@@ -919,6 +947,7 @@ int main(void)
     test_least_step();
     test_intervals_of_few_ulps();
     test_unresolvable_points();
+    test_missed_at_stiffness_test();
     test_blow_up_with_h_min();
     test_stiffness();
     test_long_periods();

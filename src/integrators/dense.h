@@ -53,7 +53,7 @@ VM_API int vmi_interpolate_ready(const rk45 *s, int method, vm_real t, vm_real *
    evaluation of f. Returns a status. */
 VM_API int vmi_interpolate(rk45 *s, vm_real t, vm_real *y)
 {
-    if (!s || !y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
+    if (!y || !vmi_is_in_last_step(s, t)) return ODE_BAD_ARGUMENT;
     if (t != s->t) {
         const int status = vmi_extend(s);
         if (status) return status;

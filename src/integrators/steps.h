@@ -340,6 +340,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
             p.next_miss = p.steps + VMI_BETWEEN_MISSES;
             p.t_missed = p.t;
             p.t_missed_low = p.t_low;
+            if (p.stiff_wait < 2) p.stiff_wait = 2; /* the test of stiffness waits for a step within the tolerance */
         }
         error = VMI_LARGER(error, VMI_LEAST_ERROR);
         vmi_choose_size(pair.order, pair.keep_from, &trial, error, &p);
