@@ -484,6 +484,46 @@ static void test_infinite(void)
     CHECK(vm_vdp_plan_by_route(&p, VM_ROUTE_ORDER3, -40, 0, &m) == VM_OK); /* backward the amplitude falls */
 }
 
+/* The mean motion may have no start forward in time: a table has a point within a quarter of a vibration of t = 0, the mass
+   soon becomes 0, or the amplitude soon becomes infinite. The motion backward in time is then found all the same, and is that
+   of the problem mirrored in time, whose start is forward. */
+static void test_no_start_forward(void)
+{
+    static const vm_real after[3] = {-30, R(0.1), 30}, before[3] = {-30, R(-0.1), 30};
+    static const vm_real rising[3] = {1, R(1.01), R(1.02)}, falling[3] = {R(1.02), R(1.01), 1};
+    static const double numbers[4][5] = {/* alpha, feed and c, x and x' at t = 0 */
+                                         {1, 0.02, 0.02, 1, 0.3}, {1, 0, 0.02, 1, -0.01},
+                                         {1, -1.29426, -2.53948, 1.05506, 1.09773},
+                                         {1.5, -0.968685, -2.90063, -1.04538, -0.708437}};
+    static const int statuses[4] = {VM_NOT_INTEGRATED, VM_BAD_MASS, VM_NOT_INTEGRATED, VM_NOT_INTEGRATED};
+    const vm_law masses[4] = {vm_law_table(3, after, rising), vm_law_linear(1, R(-0.8)), vm_law_linear(1, 0),
+                              vm_law_linear(1, 0)};
+    const vm_law mirrored[4] = {vm_law_table(3, before, falling), vm_law_linear(1, R(0.8)), vm_law_linear(1, 0),
+                                vm_law_linear(1, 0)};
+    static vm_vdp_plan p, mirror;
+    int i, order;
+    for (i = 0; i < 4; i++) {
+        const double *n = numbers[i];
+        const vm_vdp v = oscillator(n[0], n[1], n[2], 1, masses[i]), w = oscillator(n[0], -n[1], -n[2], 1, mirrored[i]);
+        vm_osc_motion m = {0, 0, 0, 0, 0, 0}, other = {0, 0, 0, 0, 0, 0}, exact = {0, 0, 0, 0, 0, 0};
+        CHECK(vm_vdp_plan_init(&p, &v, R(n[3]), R(n[4])) == VM_OK && vm_vdp_plan_init(&mirror, &w, R(n[3]), R(-n[4])) == VM_OK);
+        for (order = 1; order <= 3; order++) {
+            CHECK(vm_vdp_plan_by_route(&p, route_of(order), 10, 0, &m) == statuses[i]);
+            CHECK(vm_vdp_plan_by_route(&p, route_of(order), -10, 0, &m) == VM_OK);
+            CHECK(vm_vdp_plan_by_route(&mirror, route_of(order), 10, 0, &other) == VM_OK);
+            check_error("no start forward", "mirror", "abs", fabs((double)(m.x - other.x)), by_precision(1e-13, 1e-4), i, order);
+            check_error("no start forward", "mirror, v", "abs", fabs((double)(m.v + other.v)), by_precision(1e-13, 1e-4), i,
+                        order);
+        }
+        if (i > 0) continue; /* the mass or the amplitude changes fast: the law is coarse */
+        CHECK(vm_vdp_plan_by_route(&p, VM_ROUTE_RK87, -10, R(by_precision(1e-9, 1e-4)), &exact) >= 0);
+        check_error("no start forward", "true/est", "", fabs((double)(m.x - exact.x) / (double)exact.amplitude) /
+                    ((double)m.error + (double)exact.error), 1, 0, 0);
+        check_error("no start forward", "estimate", "rel", fabs((double)(m.error / other.error - 1)), 0.2, 0, 0);
+        check_error("no start forward", "x(-10)", "abs", fabs((double)m.x + 0.660107), by_precision(1e-6, 1e-4), 0, 0);
+    }
+}
+
 /* Fast changes, strong terms, and extreme alpha: the estimate says that the law does not hold, and the choice of a
    route integrates. */
 static void test_not_slow(void)
@@ -799,6 +839,7 @@ int main(void)
     test_removable();
     test_hard_points();
     test_infinite();
+    test_no_start_forward();
     test_not_slow();
     test_cycle();
     test_cycle_of_time_0();

@@ -149,20 +149,19 @@ VM_API int vmi_vdp_mean_motion(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *me
     const int side = vmi_time_side(t);
     vmi_vdp_growth_course g;
     vm_real settled;
-    int status = p->start_status;
+    int status = vmi_vdp_start_of(p, side, mean);
     if (status) return status;
     if (!vmi_vdp_is_constant(&p->osc.problem.mass) || !vmi_vdp_is_constant(&p->osc.problem.stiffness))
-        return vmi_vdp_mean_at(p, t, mean);
-    g = vmi_vdp_course_from(p, &p->start);
+        return vmi_vdp_walk(p, t, mean);
+    g = vmi_vdp_course_from(p, mean);
     if (p->vdp.alpha == 1 && VM_FABS(g.z) < extreme && VM_FABS(g.z) * extreme > 1) {
-        *mean = p->start;
         status = vmi_vdp_closed(p, &g, t, mean);
         if (status) return status;
         return vmi_vdp_mean_update(p, side, mean);
     }
-    settled = p->start.t + (vm_real)side * vmi_vdp_settling_time(p, &g, side);
-    if (!(VM_FABS(settled) < VM_FABS(t))) return vmi_vdp_mean_at(p, t, mean);
-    status = vmi_vdp_mean_at(p, settled, mean);
+    settled = mean->t + (vm_real)side * vmi_vdp_settling_time(p, &g, side);
+    if (!(VM_FABS(settled) < VM_FABS(t))) return vmi_vdp_walk(p, t, mean);
+    status = vmi_vdp_walk(p, settled, mean);
     if (status) return status;
     vmi_vdp_stay(p, t, mean);
     return vmi_vdp_mean_update(p, side, mean);

@@ -70,9 +70,10 @@ typedef struct VM_TAG(vm_vdp_plan) {
     vm_vdp vdp;            /* a copy of the oscillator */
     vm_osc_plan osc;       /* plan of the oscillator without its term -c x^2 x'; the feed is a negative damping */
     vmi_vdp_ripple ripple; /* constants and polynomials of the law of order three */
-    int start_status;      /* VM_OK if `start` is set; else the status that says why there is no mean motion, VM_NO_LAW
-                              for a body at rest */
-    vmi_vdp_mean start;    /* the start of the mean motion forward in time */
+    int start_status;      /* VM_OK if `start` is set; else the status that says why the mean motion cannot be started
+                              forward in time, VM_NO_LAW for a body at rest */
+    vmi_vdp_mean start;    /* the start of the mean motion forward in time; without such a start only the field psi is
+                              set, to the phase at t = 0 */
 } vm_vdp_plan;
 
 /* The force -c x^2 x', N, of the Van der Pol oscillator; ctx points to c. */
@@ -268,6 +269,7 @@ VM_API int vm_vdp_plan_init(vm_vdp_plan *p, const vm_vdp *v, vm_real x, vm_real 
     plan.start_status = VM_NO_LAW;
     if (plan.osc.A > 0) {
         vmi_vdp_ripple_init(&plan.ripple, &plan.osc.ripple);
+        plan.start.psi = plan.osc.psi;
         plan.start_status = vmi_vdp_start(&plan, 1, &plan.start);
     }
     *p = plan;
@@ -550,20 +552,28 @@ VM_API int vmi_vdp_walk_past_knot(const vm_vdp_plan *p, int side, vmi_vdp_mean *
     return vmi_vdp_bridge(p, mean->t, side, &state, 1, mean);
 }
 
-/* Computes the mean motion at t by integration along the laws of mass and stiffness, from one point of a table to the
-   next. Returns VM_NOT_INTEGRATED where amplitude and phase do not describe the motion, or where points of a table are
-   closer than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
-VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+/* Writes the start of the mean motion to *mean, for times t > 0 with side = 1, for times t < 0 with side = -1. The body
+   must not be at rest. Where no law is a table, the start forward in time also serves backward, if there is one. */
+VM_API int vmi_vdp_start_of(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
+{
+    const vm_osc_problem *o = &p->osc.problem;
+    if (side < 0 && (p->start_status || o->mass.time || o->stiffness.time)) return vmi_vdp_start(p, -1, mean);
+    if (!p->start_status) *mean = p->start;
+    return p->start_status;
+}
+
+/* Advances the mean motion from its start to t by integration along the laws of mass and stiffness, from one point of a
+   table to the next. Before the call *mean must be the start for the direction of t (vmi_vdp_start_of). Returns the
+   statuses of vmi_vdp_mean_at. */
+VM_API int vmi_vdp_walk(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const vm_osc_problem *o = &p->osc.problem;
     const int side = vmi_time_side(t);
-    vm_real whole, longest, at = 0;
-    int status = p->start_status;
-    if (side < 0 && (o->mass.time || o->stiffness.time)) status = vmi_vdp_start(p, -1, mean);
-    else if (!status) *mean = p->start;
-    if (status) return status;
-    whole = vmi_larger(VM_FABS(t), VM_FABS(mean->t));
-    longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole), vmi_law_longest_panel(&o->stiffness, whole));
+    const vm_real whole = vmi_larger(VM_FABS(t), VM_FABS(mean->t));
+    const vm_real longest = vmi_smaller(vmi_law_longest_panel(&o->mass, whole),
+                                        vmi_law_longest_panel(&o->stiffness, whole));
+    vm_real at = 0;
+    int status = VM_OK;
     mean->fast.shortest = longest;
     while (!status) {
         const vm_real next = vmi_osc_next_knot(o, at, t);
@@ -575,6 +585,16 @@ VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
         at = next;
     }
     return status;
+}
+
+/* Computes the mean motion at t by integration along the laws of mass and stiffness. Returns VM_NOT_INTEGRATED where
+   amplitude and phase do not describe the motion, or where points of a table, or such a point and t = 0, are closer
+   than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
+{
+    const int status = vmi_vdp_start_of(p, vmi_time_side(t), mean);
+    if (status) return status;
+    return vmi_vdp_walk(p, t, mean);
 }
 
 #endif
