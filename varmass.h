@@ -1529,6 +1529,15 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
     return vmi_over(b, VM_SQRT(vm_dot(b, b)));
 }
 
+/* Returns the vector of length 1 in the direction of a, which must be finite and not 0, also where the length of a
+   overflows or is subnormal. The division by a power of two is exact, so that the result has the bits of a/vm_norm(a)
+   wherever the length is a normal number. (The results of vm_unit have other last digits.) */
+VM_API vm_vec3 vmi_unit_vector(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_over(a, vmi_power_below(vmi_norm_max(a)));
+    return vmi_over(b, vm_norm(b));
+}
+
 /* Writes the time derivatives of w, x, y, z of the quaternion q to the array `rates`. q is the attitude of a body with
    the angular velocity omega (rad/s, body axes). The formula is q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, where
    (0, omega) is a quaternion whose w is 0. The argument `square` must be |q|^2. q should have length 1, but errors of
@@ -3481,11 +3490,9 @@ VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body
    VM_DOMAIN if axle->axis is 0; else VM_OK. */
 VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 {
-    vm_real length;
     if (!vmi_vec3_is_finite(axle->at) || !vmi_vec3_is_finite(axle->axis)) return VM_NOT_FINITE;
-    length = vm_norm(axle->axis);
-    if (!(length > 0)) return VM_DOMAIN;
-    *e = vmi_over(axle->axis, length);
+    if (vmi_norm_max(axle->axis) == 0) return VM_DOMAIN;
+    *e = vmi_unit_vector(axle->axis);
     return VM_OK;
 }
 
@@ -7279,8 +7286,7 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
     if (!supply || !left) return VM_BAD_ARGUMENT;
     status = vmi_supply_check(supply, mass);
     if (status) return status;
-    e = vmi_over(supply->axis, vmi_norm_max(supply->axis));
-    e = vmi_over(e, VM_SQRT(vm_dot(e, e)));
+    e = vm_unit(supply->axis);
     result.mass = mass;
     if (supply->kind == VM_TANK_OF_LIQUID) vmi_supply_liquid(supply, e, &result);
     else vmi_supply_hollow(supply, e, &result);
@@ -25408,7 +25414,7 @@ typedef struct VM_TAG(vm_contact) {
    of the body, and *normal becomes the unit vector out of the ground. */
 VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
 {
-    *normal = vmi_over(contact->normal, vm_norm(contact->normal));
+    *normal = vmi_unit_vector(contact->normal);
     return vm_dot(vm_sub(p->r, contact->on), *normal) - contact->radius;
 }
 
@@ -25434,7 +25440,7 @@ VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact
         !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
         status = vmi_first_error(status, VM_NOT_FINITE);
     if (contact->stiffness < 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
-    if (contact->radius < 0 || contact->damping < 0 || vm_norm(contact->normal) == 0)
+    if (contact->radius < 0 || contact->damping < 0 || vmi_norm_max(contact->normal) == 0)
         status = vmi_first_error(status, VM_DOMAIN);
     return status;
 }

@@ -153,6 +153,30 @@ static void test_caught(void)
     CHECK(reaction.couple.x == -10 && reaction.couple.y == 0 && reaction.couple.z == -28);
 }
 
+/* The length of the axis does not matter, from the smallest subnormal number to the largest number. */
+static void test_length_of_axis(void)
+{
+    const vm_impulse none = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    const vm_body spinning = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 3}};
+    const vm_axle longest = {{0, 0, 0}, {VM_MAX, VM_MAX, VM_MAX}};
+    const axle_case a = random_case();
+    vm_axle axle = a.axle;
+    vm_body usual = a.rest, rest = a.rest;
+    vm_impulse reaction = none, usual_reaction = none;
+    vm_real length;
+    CHECK(vm_separate_on_axle(&longest, &spinning, 0, NULL, NULL, &rest, NULL) == VM_OK);
+    check_case("omega", "longest axis", rest.omega.x, 0.6, 1, 8);
+    check_case("omega", "longest axis", rest.omega.y, 0.6, 1, 8);
+    check_case("omega", "longest axis", rest.omega.z, 0.6, 1, 8);
+    axle.axis = vector(1, -1, 1);
+    CHECK(vm_separate_on_axle(&axle, &a.whole, 1, &a.part, NULL, &usual, &usual_reaction) == VM_OK);
+    for (length = VM_MIN * VM_EPSILON; length < VM_MAX; length *= 2) {
+        axle.axis = vm_scale(length, vector(1, -1, 1));
+        CHECK(vm_separate_on_axle(&axle, &a.whole, 1, &a.part, NULL, &rest, &reaction) == VM_OK);
+        CHECK(memcmp(&rest, &usual, sizeof rest) == 0 && memcmp(&reaction, &usual_reaction, sizeof reaction) == 0);
+    }
+}
+
 static void test_refusals(void)
 {
     const vm_axle axle = {{0, 0, 0}, {0, 0, 1}}, none = {{0, 0, 0}, {0, 0, 0}}, nowhere = {{VM_NAN, 0, 0}, {1, 0, 0}};
@@ -186,6 +210,7 @@ int main(void)
     test_unchanged();
     test_pendulum();
     test_caught();
+    test_length_of_axis();
     test_refusals();
     return check_finish("axle");
 }

@@ -545,6 +545,29 @@ static void check_bounce(void)
     balanced(&s, "bounce", 10, 100);
 }
 
+/* A point falls from 1 m over a slope of 45 degrees, whose normal may have any length, and slides down from there. */
+static void check_length_of_normal(void)
+{
+    const vm_real length[4] = {1, VM_MAX, VM_MIN * VM_EPSILON, VM_MIN * VM_EPSILON * 2};
+    const double v = sqrt(2 * gravity);
+    int i;
+    for (i = 0; i < 4; i++) {
+        vm_contact slope = {{0, 0, 0}, 0, {0, 0, 0}, {0, 0, 0}, 0, 0};
+        stage s;
+        slope.normal.x = slope.normal.y = length[i];
+        stage_clear(&s, 3);
+        stage_body(&s, vm_scene_body_point(2, stage_vec(0, 1, 0), origin));
+        stage_effect(&s, vm_effect_gravity(0, 1, REAL(-gravity)));
+        stage_event(&s, vm_then_land(vm_event_contact(0, &slope)));
+        stage_event(&s, vm_then_stop(vm_event_contact(0, &slope)));
+        begin(&s);
+        run(&s, 1, VM_STOPPED);
+        agrees("slope", "height", s.y[1], 0, 1, 1e-9);
+        agrees("slope", "v", s.y[3], v / 2, 4, 1e-9);
+        agrees("slope", "v", s.y[4], -v / 2, 4, 1e-9);
+    }
+}
+
 /* A free body that lands on a point beside its mass centre moves like the body in the plane of check_landing. */
 static void check_landing_in_space(void)
 {
@@ -1031,6 +1054,7 @@ int main(void)
     check_separation(0);
     check_separation(1);
     check_bounce();
+    check_length_of_normal();
     check_landing();
     check_landing_in_space();
     check_spring_in_space(0);

@@ -58,6 +58,15 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
     return vmi_over(b, VM_SQRT(vm_dot(b, b)));
 }
 
+/* Returns the vector of length 1 in the direction of a, which must be finite and not 0, also where the length of a
+   overflows or is subnormal. The division by a power of two is exact, so that the result has the bits of a/vm_norm(a)
+   wherever the length is a normal number. (The results of vm_unit have other last digits.) */
+VM_API vm_vec3 vmi_unit_vector(vm_vec3 a)
+{
+    const vm_vec3 b = vmi_over(a, vmi_power_below(vmi_norm_max(a)));
+    return vmi_over(b, vm_norm(b));
+}
+
 /* Writes the time derivatives of w, x, y, z of the quaternion q to the array `rates`. q is the attitude of a body with
    the angular velocity omega (rad/s, body axes). The formula is q' = q (0, omega)/2 + |omega| (1 - |q|^2) q/8, where
    (0, omega) is a quaternion whose w is 0. The argument `square` must be |q|^2. q should have length 1, but errors of

@@ -29,6 +29,7 @@
 
 #include "../base/real.h"
 #include "../base/status.h"
+#include "attitude.h"
 #include "bodies.h"
 #include "inertia.h"
 #include "jumps.h"
@@ -82,11 +83,9 @@ VM_API vm_vec3 vmi_axle_arm(vm_vec3 O, const vm_body *body, int n, const vm_body
    VM_DOMAIN if axle->axis is 0; else VM_OK. */
 VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
 {
-    vm_real length;
     if (!vmi_vec3_is_finite(axle->at) || !vmi_vec3_is_finite(axle->axis)) return VM_NOT_FINITE;
-    length = vm_norm(axle->axis);
-    if (!(length > 0)) return VM_DOMAIN;
-    *e = vmi_over(axle->axis, length);
+    if (vmi_norm_max(axle->axis) == 0) return VM_DOMAIN;
+    *e = vmi_unit_vector(axle->axis);
     return VM_OK;
 }
 

@@ -27,6 +27,7 @@
 
 #include "../base/real.h"
 #include "../base/status.h"
+#include "attitude.h"
 #include "inertia.h"
 #include "streams.h"
 #include "vectors.h"
@@ -150,8 +151,7 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
     if (!supply || !left) return VM_BAD_ARGUMENT;
     status = vmi_supply_check(supply, mass);
     if (status) return status;
-    e = vmi_over(supply->axis, vmi_norm_max(supply->axis));
-    e = vmi_over(e, VM_SQRT(vm_dot(e, e)));
+    e = vm_unit(supply->axis);
     result.mass = mass;
     if (supply->kind == VM_TANK_OF_LIQUID) vmi_supply_liquid(supply, e, &result);
     else vmi_supply_hollow(supply, e, &result);

@@ -19,6 +19,7 @@
 
 #include "../base/real.h"
 #include "../base/status.h"
+#include "../mechanics/attitude.h"
 #include "../mechanics/vectors.h"
 #include "effects.h"
 #include "evaluate.h"
@@ -40,7 +41,7 @@ typedef struct VM_TAG(vm_contact) {
    of the body, and *normal becomes the unit vector out of the ground. */
 VM_API vm_real vmi_contact_height(const vm_contact *contact, const vmi_body_point *p, vm_vec3 *normal)
 {
-    *normal = vmi_over(contact->normal, vm_norm(contact->normal));
+    *normal = vmi_unit_vector(contact->normal);
     return vm_dot(vm_sub(p->r, contact->on), *normal) - contact->radius;
 }
 
@@ -66,7 +67,7 @@ VM_API int vmi_contact_check_parts(const vm_scene *s, int body, const vm_contact
         !vmi_vec3_is_finite(contact->on) || !vmi_vec3_is_finite(contact->normal))
         status = vmi_first_error(status, VM_NOT_FINITE);
     if (contact->stiffness < 0) status = vmi_first_error(status, VM_BAD_STIFFNESS);
-    if (contact->radius < 0 || contact->damping < 0 || vm_norm(contact->normal) == 0)
+    if (contact->radius < 0 || contact->damping < 0 || vmi_norm_max(contact->normal) == 0)
         status = vmi_first_error(status, VM_DOMAIN);
     return status;
 }
