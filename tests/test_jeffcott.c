@@ -585,6 +585,62 @@ static void test_gyroscopic_frequency(void)
 
 /* ---- Hard cases and bad input ---- */
 
+/* A rotor whose masses, gyroscopic constant and stiffness are all `scale` times as large */
+static vm_jeffcott scaled_rotor(vm_real scale, vm_real gyro, vm_power_force *p)
+{
+    const double rate = 0.0625;
+    vm_jeffcott r = make_rotor(vm_law_linear(scale, R(rate) * scale), p, NULL);
+    p->k = R(1.5) * scale;
+    p->alpha = 3;
+    r.gyro = gyro * scale;
+    r.u = complex(0.25, 0.5);
+    return r;
+}
+
+/* If mass, gyroscopic constant and stiffness grow together by a power of two, no motion changes, not even in its last
+   bit, although m K_e and g^2 overflow or underflow. */
+static void test_large_and_small_rotors(void)
+{
+    const vm_real gyro[3] = {0, R(0.75), R(-0.75)}, y[2] = {R(1.25), R(0.5)};
+    vm_real scale;
+    int i, sense;
+    for (i = 0; i < 6; i++) {
+        const vm_real g = gyro[i % 3];
+        vm_power_force p, q;
+        const vm_jeffcott usual = scaled_rotor(1, g, &p);
+        sense = i < 3 ? 1 : -1;
+        for (scale = VM_MIN * 16; scale < VM_MAX / 16; scale *= 16) {
+            const ode_rhs averaged = sense > 0 ? vm_jeffcott_forward_whirl_rhs : vm_jeffcott_backward_whirl_rhs;
+            vm_jeffcott r = scaled_rotor(scale, g, &q), s = usual;
+            vm_real d[2] = {0, 0}, e[2] = {1, 1};
+            CHECK(vm_jeffcott_frequency(&r, y[0], 2 * scale, sense) == vm_jeffcott_frequency(&s, y[0], 2, sense));
+            CHECK(vm_jeffcott_amplitude(&r, y[0], scale, 2 * scale) == vm_jeffcott_amplitude(&s, y[0], 1, 2));
+            CHECK(averaged(1, y, d, &r) == VM_OK && averaged(1, y, e, &s) == VM_OK && d[0] == e[0] && d[1] == e[1]);
+            r.reactive = s.reactive = R(0.5);
+            CHECK(vm_jeffcott_whirl_amplitude(&r, y[0], scale, 2 * scale, sense) ==
+                  vm_jeffcott_whirl_amplitude(&s, y[0], 1, 2, sense));
+        }
+    }
+}
+
+/* W = sqrt(K_e/m) for g = 0. If m K_e is far below g^2, forward whirl has W = 2 g/m, backward whirl W = -K_e/(2 g). */
+static void test_frequencies_of_any_size(void)
+{
+    vm_power_force p = {1, 1};
+    vm_jeffcott r = make_rotor(linear(1, 0), &p, NULL);
+    double size;
+    for (size = (double)VM_MIN * 64; size < (double)VM_MAX / 64; size *= 8) {
+        p.k = R(size);
+        r.gyro = 0;
+        near_eps("W", "m = K_e", (double)vm_jeffcott_frequency(&r, 1, p.k, 1), 1, 8);
+        near_eps("W", "m = 1/K_e", (double)(vm_jeffcott_frequency(&r, 1, 1 / p.k, -1) / p.k), -1, 8);
+        if (size > (double)VM_EPSILON * (double)VM_EPSILON) continue;
+        r.gyro = 1;
+        near_eps("W", "large g, forward", (double)(vm_jeffcott_frequency(&r, 1, p.k, 1) * p.k), 2, 8);
+        near_eps("W", "large g, backward", (double)(vm_jeffcott_frequency(&r, 1, p.k, -1) / p.k), -0.5, 8);
+    }
+}
+
 /* The mass grows a million-fold, or falls to a thousandth, with elastic forces of any order. */
 static void test_extreme_masses(void)
 {
@@ -642,6 +698,8 @@ int main(void)
     test_other_forces();
     test_gyroscopic_amplitude();
     test_gyroscopic_frequency();
+    test_large_and_small_rotors();
+    test_frequencies_of_any_size();
     test_extreme_masses();
     test_bad_input();
     return check_finish("jeffcott");

@@ -166,6 +166,25 @@ static vm_complex some_force(vm_real t, vm_complex z, vm_complex v, void *ctx)
     return z;
 }
 
+/* A motion on a linear shaft does not change if mass and stiffness are very large or very small together. */
+static void test_large_and_small_masses(void)
+{
+    const vm_real start[4] = {1, R(0.5), R(-0.25), 2}, most = VM_MAX / 16;
+    vm_real scale;
+    for (scale = VM_MIN * 16; scale < most; scale *= 256) {
+        vm_power_force p = {1, 1}, q;
+        vm_jeffcott usual = rotor_of(vm_law_linear(1, R(0.0625)), &p, 0.125, 1), r = usual;
+        vm_real motion[4] = {7, 7, 7, 7}, expected[4] = {8, 8, 8, 8};
+        q.k = scale;
+        q.alpha = 1;
+        r.stiffness_ctx = &q;
+        r.mass = vm_law_linear(scale, R(0.0625) * scale);
+        r.gyro = usual.gyro * scale;
+        CHECK(vm_jeffcott_linear_at(&usual, start, 3, expected) == VM_OK);
+        CHECK(vm_jeffcott_linear_at(&r, start, 3, motion) == VM_OK && memcmp(motion, expected, sizeof motion) == 0);
+    }
+}
+
 static void test_refusals(void)
 {
     vm_power_force p = {1, 1}, hard = {1, 3};
@@ -208,6 +227,7 @@ int main(void)
     test_linear_shaft();
     test_line();
     test_momentum();
+    test_large_and_small_masses();
     test_refusals();
     return check_finish("jeffcott_motion");
 }

@@ -41,14 +41,6 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
 /* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
-/* Returns the largest power of two that is at most x, or VM_MIN if x is smaller than VM_MIN. */
-VM_API vm_real vmi_power_below(vm_real x)
-{
-    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
-    if (x < VM_MIN) return VM_MIN;
-    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
-}
-
 /* Returns the vector of length 1 in the direction of a. The relative error of each component is within 4 eps, if the
    length of a is a normal number (at least VM_MIN). Returns NaN if a component is infinite or if the length of a is 0,
    because a then has no direction. */

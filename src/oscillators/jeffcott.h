@@ -28,6 +28,7 @@
 #include "../base/arrays.h"
 #include "../base/complex.h"
 #include "../base/elementary.h"
+#include "../base/hypot.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
@@ -321,13 +322,25 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
+/* A power of two near S = sqrt(g^2 + m K_e); the arguments are g (gyro), m (mass) and K_e (stiffness). The frequency and
+   the growth of a whirl do not change if g, m, m', K_e, its slope and the loads are all divided by one number. After
+   the division by this power of two, which is exact, g^2 + m K_e neither overflows nor underflows. */
+VM_API vm_real vmi_jeffcott_unit(vm_real gyro, vm_real mass, vm_real stiffness)
+{
+    return vmi_power_below(vmi_larger(VM_SQRT(mass) * VM_SQRT(VM_FABS(stiffness)), VM_FABS(gyro)));
+}
+
 /* The frequency W = (g +- S)/m of circular whirl, where S = sqrt(g^2 + m K_e), and + is for forward whirl (sense >= 0).
    The arguments are g (gyro), m (mass) and K_e (stiffness). No digits cancel, because nearly equal numbers are never
    subtracted. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
-    const vm_real S = VM_SQRT(gyro * gyro + mass * stiffness);
-    vm_real direction = 1, g, speed;
+    const vm_real unit = vmi_jeffcott_unit(gyro, mass, stiffness);
+    vm_real direction = 1, S, g, speed;
+    gyro /= unit;
+    mass /= unit;
+    stiffness /= unit;
+    S = VM_SQRT(gyro * gyro + mass * stiffness);
     if (sense < 0) direction = -1;
     g = direction * gyro;
     if (g > 0) speed = (g + S) / mass;
@@ -373,7 +386,7 @@ VM_API vm_complex vmi_jeffcott_mean_load(const vm_jeffcott *r, vm_real t, vm_rea
      across the circle: psi' = W - Re L/(2 A S) */
 VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, const vm_jeffcott *r, int sense)
 {
-    vm_real mass, rate, stiffness, slope, W, S, growth;
+    vm_real mass = 0, rate = 0, stiffness, slope, unit, W, S, growth;
     vm_complex load;
     const int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
     const int is_number = VM_IS_FINITE(r->gyro) && y[0] == y[0];
@@ -381,11 +394,16 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
     if (status) return is_number ? status : vmi_first_error(status, VM_NOT_FINITE);
     if (!is_number) return VM_NOT_FINITE;
     stiffness = vmi_jeffcott_stiffness(r, y[0], &slope);
+    unit = vmi_jeffcott_unit(r->gyro, mass, stiffness);
     W = vmi_jeffcott_root(r->gyro, mass, stiffness, sense);
-    S = mass * W - r->gyro;
+    S = (mass * W - r->gyro) / unit;
     if (S != S && !VM_IS_FINITE(stiffness)) return VM_NOT_FINITE;
     if (!(S * S > 0)) return VM_BAD_STIFFNESS;
-    load = vmi_jeffcott_mean_load(r, t, rate, y[0], y[1], W);
+    load = vmi_c_scale(1 / unit, vmi_jeffcott_mean_load(r, t, rate, y[0], y[1], W));
+    mass /= unit;
+    rate /= unit;
+    stiffness /= unit;
+    slope /= unit;
     growth = ((1 - r->reactive) * rate * W + load.im / y[0]) / S - rate * stiffness / (2 * S * S);
     dydt[0] = y[0] * growth / (2 + mass * slope * y[0] / (2 * S * S));
     dydt[1] = W - load.re / (2 * y[0] * S);
@@ -422,6 +440,8 @@ VM_API int vm_jeffcott_backward_whirl_rhs(vm_real t, const vm_real *y, vm_real *
 typedef struct VM_TAG(vmi_jeffcott_orbit) {
     const vm_jeffcott *r;
     vm_real first_A; /* radius A before the change, m */
+    vm_real unit;    /* vmi_jeffcott_unit before the change, by which g, mass and K_e are divided */
+    vm_real gyro;    /* g */
     vm_real mass;    /* mass after the change, kg */
     vm_real first;   /* the factor g^2 + m K_e(A) of the invariant before the change */
 } vmi_jeffcott_orbit;
@@ -432,8 +452,8 @@ VM_API vm_real vmi_jeffcott_invariant(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
     vm_real slope;
-    const vm_real stiffness = vmi_jeffcott_stiffness(o->r, o->first_A * vmi_exp(x, 0), &slope);
-    const vm_real ratio = (o->r->gyro * o->r->gyro + o->mass * stiffness) / o->first;
+    const vm_real stiffness = vmi_jeffcott_stiffness(o->r, o->first_A * vmi_exp(x, 0), &slope) / o->unit;
+    const vm_real ratio = (o->gyro * o->gyro + o->mass * stiffness) / o->first;
     if (!(ratio > 0) || !VM_IS_FINITE(ratio)) return VM_NAN;
     return 4 * x + vmi_log(ratio).hi;
 }
@@ -485,7 +505,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     if (!r || !r->stiffness) return VM_NAN;
     vmi_jeffcott_orbit o;
     vmi_jeffcott_bracket b;
-    vm_real slope, first_mass = mass0;
+    vm_real slope, stiffness, first_mass = mass0;
     if (!(first_A > 0) || !(mass0 > 0) || !(mass > 0) || !VM_IS_FINITE(first_A) || !VM_IS_FINITE(mass0) ||
         !VM_IS_FINITE(mass) || (r->gyro != 0 && r->reactive != 1))
         return VM_NAN;
@@ -496,7 +516,11 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
         o.mass = vmi_pow_checked(mass / mass0, 2 * r->reactive - 1);
         first_mass = 1;
     }
-    o.first = r->gyro * r->gyro + first_mass * vmi_jeffcott_stiffness(r, first_A, &slope);
+    stiffness = vmi_jeffcott_stiffness(r, first_A, &slope);
+    o.unit = vmi_jeffcott_unit(r->gyro, first_mass, stiffness);
+    o.gyro = r->gyro / o.unit;
+    o.mass /= o.unit;
+    o.first = o.gyro * o.gyro + first_mass / o.unit * (stiffness / o.unit);
     b.at_a = vmi_jeffcott_invariant(0, &o);
     if (b.at_a == 0) return first_A;
     if (b.at_a != b.at_a || !vmi_jeffcott_find_bracket(&o, &b)) return VM_NAN;

@@ -63,14 +63,16 @@ typedef struct VM_TAG(vmi_jeffcott_change) {
 VM_API int vmi_jeffcott_change_rhs(vm_real s, const vm_real *y, vm_real *dyds, void *change)
 {
     const vmi_jeffcott_change *c = (const vmi_jeffcott_change *)change;
-    const vm_real mass = c->mass0 * vmi_exp(s, 0), A = c->first_A * vmi_exp(y[0], 0), g = c->r->gyro;
+    const vm_real mass = c->mass0 * vmi_exp(s, 0), A = c->first_A * vmi_exp(y[0], 0);
     vm_real slope, S, share;
-    const vm_real stiffness = vmi_jeffcott_stiffness(c->r, A, &slope), square = g * g + mass * stiffness;
+    const vm_real stiffness = vmi_jeffcott_stiffness(c->r, A, &slope);
+    const vm_real unit = vmi_jeffcott_unit(c->r->gyro, mass, stiffness);
+    const vm_real g = c->r->gyro / unit, m = mass / unit, K = stiffness / unit, square = g * g + m * K;
     if (!(square > 0)) return VM_BAD_STIFFNESS;
     S = VM_SQRT(square);
-    share = mass / (2 * square);
+    share = m / (2 * square);
     if (c->sense < 0) S = -S;
-    dyds[0] = ((1 - c->r->reactive) * (1 + g / S) - share * stiffness) / (2 + share * slope * A);
+    dyds[0] = ((1 - c->r->reactive) * (1 + g / S) - share * K) / (2 + share * (slope / unit) * A);
     return VM_OK;
 }
 
