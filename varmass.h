@@ -852,6 +852,23 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 }
 
 #endif
+/* base/power_of_two.h - a power of two of about the size of a number, for scaling without rounding errors
+
+       vm_real power = vmi_power_below(12); // 8
+
+   Tests: tests/test_attitude.c, tests/test_slow_motion.c. */
+#ifndef VARMASS_BASE_POWER_OF_TWO_H
+#define VARMASS_BASE_POWER_OF_TWO_H
+
+/* Returns the largest power of two that is at most x, or VM_MIN if x is smaller than VM_MIN. */
+VM_API vm_real vmi_power_below(vm_real x)
+{
+    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
+    if (x < VM_MIN) return VM_MIN;
+    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
+}
+
+#endif
 /* base/zero.h - a zero of a function between two points where its signs differ
 
        vm_real x = vmi_find_zero(f, NULL, 0, 2, f(0, NULL), f(2, NULL)); // f(x, ctx) has a zero between 0 and 2
@@ -9094,7 +9111,7 @@ struct VM_TAG(vm_law) {
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
        made the law. `validate` checks the law between 0 and t; if it is null, only f(0) and f(t) are checked. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f);
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit, vm_real *f);
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if there is no exponential form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
@@ -9106,7 +9123,7 @@ struct VM_TAG(vm_law) {
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
 /* The number of values that the function `derivatives` of a law writes: f and its first six derivatives, to f[0] ...
-   f[6] */
+   f[6]. The derivative of order i is multiplied by the ith power of the time `unit`. */
 enum { VMI_LAW_ORDERS = 7 };
 
 /* Returns the final status of a law: its function `derivatives` returned `status` and wrote numbers to f, of which the
@@ -9123,18 +9140,32 @@ VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real 
     return VM_OK;
 }
 
-/* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
-   derivative jumps at t, its value after t is written for side = 1, its value before t for side = -1. With length = 0
-   only f and f' are written; with a positive length, s, all six derivatives. For a user's function the higher
-   derivatives are found from the rates that the function returns between t and t + side length. if_not_positive is the
-   status that is returned for f <= 0, for example VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
-VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
+/* Writes the value of a law and its derivatives at t, multiplied by powers of `unit`, s: f to f[0], f' unit to f[1],
+   f'' unit^2 to f[2] ... A constructor must have made the law. Where a derivative jumps at t, its value after t is
+   written for side = 1, its value before t for side = -1. With length = 0 only f[0] and f[1] are written; with a
+   positive length, s, all seven numbers. For a user's function the higher derivatives are found from the rates that the
+   function returns between t and t + side length. if_not_positive is the status that is returned for f <= 0, for
+   example VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
+VM_API int vmi_law_scaled_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length,
+                                      vm_real unit, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
     int i;
     for (i = 2; i < orders; i++) f[i] = 0;
-    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
+    return vmi_law_status(law->derivatives(law, t, side, length, unit, f), if_not_positive, orders, f);
 }
+
+/* Does what vmi_law_scaled_derivatives does, with a unit of 1 s. */
+VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
+{
+    return vmi_law_scaled_derivatives(law, if_not_positive, t, side, length, 1, f);
+}
+
+/* Returns the unit, s, for the derivatives of the laws of an oscillator whose phase grows by about 1 in `time`. It is a
+   power of two, so that it causes no rounding errors. The sixth derivative of a law that changes within 1e-8 s
+   overflows in float, but its product with unit^6 does not. Derivatives of slower laws do not overflow, so that the
+   unit need not be longer than 1 s. */
+VM_API vm_real vmi_law_unit(vm_real time) { return vmi_smaller(vmi_power_below(time), 1); }
 
 /* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. This function must not be called
    for a law made by vm_law_user. */
@@ -9142,7 +9173,7 @@ VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_re
 {
     const vm_real length = 1; /* 1 s; with any positive length f'' is written */
     f[2] = 0;
-    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
+    return vmi_law_status(law->derivatives(law, t, side, length, 1, f), if_not_positive, 3, f);
 }
 
 /* Checks that a constructor made the law, and that the law is finite and positive between 0 and t. Of a user's function
@@ -9232,12 +9263,13 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 /* -- Linear laws -- */
 
 /* Writes f and f' of a linear law; its higher derivatives are 0. */
-VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                      vm_real *f)
 {
     (void)side;
     (void)length;
     f[0] = law->f0 + law->f1 * t;
-    f[1] = law->f1;
+    f[1] = law->f1 * unit;
     return VM_OK;
 }
 
@@ -9269,12 +9301,13 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 /* -- Quadratic laws -- */
 
 /* Writes f, f' and f'' of a quadratic law; its higher derivatives are 0. */
-VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                         vm_real *f)
 {
     (void)side;
     f[0] = law->f0 + t * (law->f1 + t * law->f2);
-    f[1] = law->f1 + 2 * law->f2 * t;
-    if (length > 0) f[2] = 2 * law->f2;
+    f[1] = (law->f1 + 2 * law->f2 * t) * unit;
+    if (length > 0) f[2] = 2 * law->f2 * unit * unit;
     return VM_OK;
 }
 
@@ -9322,14 +9355,15 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* Writes f and the derivatives of an exponential law. Each derivative is f1 times the derivative of one order lower. */
-VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+/* Writes f and the derivatives of an exponential law. Each derivative is f1 unit times the one of one order lower. */
+VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                           vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
     int i;
     (void)side;
     f[0] = law->f0 * vmi_exp(law->f1 * t, 0);
-    for (i = 1; i < orders; i++) f[i] = law->f1 * f[i - 1];
+    for (i = 1; i < orders; i++) f[i] = law->f1 * unit * f[i - 1];
     return VM_OK;
 }
 
@@ -9356,9 +9390,10 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 /* Writes f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive, even if the law is
    not that of a mass. vmi_law_derivatives then replaces this status, for example by VM_BAD_STIFFNESS for a
    stiffness. */
-VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                     vm_real *f)
 {
-    const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
+    const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 * unit / base;
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
     int i;
     (void)side;
@@ -9438,7 +9473,8 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
 
 /* Writes f and its derivatives at t. f is the cubic on the interval of the table that contains t. The cubic has the
    values and slopes of the two points at the ends of this interval. */
-VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                     vm_real *f)
 {
     vm_real chord_time, u, chord, slope0, slope1, b, c;
     int i;
@@ -9453,10 +9489,10 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     b = (3 * chord - 2 * slope0 - slope1) / chord_time;
     c = (slope0 + slope1 - 2 * chord) / (chord_time * chord_time);
     f[0] = law->value[i] + u * (slope0 + u * (b + u * c));
-    f[1] = slope0 + u * (2 * b + 3 * u * c);
+    f[1] = (slope0 + u * (2 * b + 3 * u * c)) * unit;
     if (length > 0) {
-        f[2] = 2 * b + 6 * u * c;
-        f[3] = 6 * c;
+        f[2] = (2 * b + 6 * u * c) * unit * unit;
+        f[3] = 6 * c * unit * unit * unit;
     }
     return VM_OK;
 }
@@ -9557,19 +9593,25 @@ VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm
 }
 
 /* Writes f and f' from the user's function. For length > 0 it also writes the higher derivatives, from a Legendre
-   series of f'. */
-VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+   series of f'. Within a very short length the rate changes only by rounding errors; the derivatives are then 0, even
+   if the factor `scale` overflows. */
+VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                    vm_real *f)
 {
-    vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = 1;
+    vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = unit;
     int i, k, status;
     if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
+    f[1] *= unit;
     if (!(length > 0)) return VM_OK;
     status = vmi_law_user_series(law, t, &whole, series);
     if (status) return status;
     for (i = 2; i < VMI_LAW_ORDERS; i++) {
         vmi_legendre_derive(series);
-        scale *= 2 / whole;
-        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* P_k(-1) = (-1)^k */
+        scale *= 2 * unit / whole;
+        for (k = 0; k < VMI_GAUSS; k += 2) {
+            const vm_real term = series[k] - series[k + 1]; /* P_k(-1) = (-1)^k */
+            if (term != 0) f[i] += scale * term;
+        }
     }
     return VM_OK;
 }
@@ -9962,9 +10004,11 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* Fills *now from the arrays m and k, which contain mass and stiffness with their derivatives up to the sixth. Both
-   arrays are overwritten. The argument `unit`, s, becomes the field `unit` of *now. */
-VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
+/* Fills *now from the arrays m and k, which contain mass and stiffness with their derivatives up to the sixth, as
+   vmi_law_scaled_derivatives writes them in the unit law_unit, s. Both arrays are overwritten. The argument `unit`, s,
+   becomes the field `unit` of *now. */
+VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real law_unit, vm_real unit,
+                            vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
     vm_real m_rate[VMI_LAW_ORDERS], k_rate[VMI_LAW_ORDERS], inverse[VMI_LAW_ORDERS];
@@ -9972,8 +10016,8 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
     now->m = m[0];
     now->k = k[0];
     now->unit = unit;
-    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit, m);
-    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit, k);
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit / law_unit, m);
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit / law_unit, k);
     vmi_series_log_rate(VMI_LAW_ORDERS, m, m_rate);
     vmi_series_log_rate(VMI_LAW_ORDERS, k, k_rate);
     vmi_series_inverse(n, m, inverse);
@@ -9996,10 +10040,12 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
+    const vm_real law_unit = vmi_law_unit(unit);
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
-    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
-    if (!status) vmi_osc_slow_of(o, m, k, unit, now);
+    int status = vmi_law_scaled_derivatives(&o->mass, VM_BAD_MASS, t, side, length, law_unit, m);
+    if (!status)
+        status = vmi_law_scaled_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, law_unit, k);
+    if (!status) vmi_osc_slow_of(o, m, k, law_unit, unit, now);
     return status;
 }
 
@@ -11804,9 +11850,9 @@ VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* Computes the mean motion at t by integrals along the laws of mass and stiffness, from one point of a table to the
-   next. */
-VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
+/* Integrates along the laws of mass and stiffness from 0 to t, from one point of a table to the next. It leaves those
+   fields of *mean untouched that vmi_osc_mean_update sets. */
+VM_API int vmi_osc_walk_along(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;
     const int side = vmi_time_side(t);
@@ -11824,7 +11870,14 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
         at = next;
         if (!status && at != t) status = vmi_osc_walk_past_knot(p, at, side, mean);
     }
-    if (!status) status = vmi_osc_mean_update(p, t, side, mean);
+    return status;
+}
+
+/* Computes the mean motion at t by integrals along the laws of mass and stiffness. */
+VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
+{
+    int status = vmi_osc_walk_along(p, t, mean);
+    if (!status) status = vmi_osc_mean_update(p, t, vmi_time_side(t), mean);
     return status;
 }
 
@@ -12644,8 +12697,8 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
-   gives. vmi_osc_walk_to divides the time into panels, which are short where mass or stiffness changes fast; the step
-   is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is at
+   gives. vmi_osc_walk_along divides the time into panels, which are short where mass or stiffness changes fast; the
+   step is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is at
    least |t|/8192. If the field change_time of a law is set and shorter than this step, the step is change_time. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
@@ -12657,7 +12710,7 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     laws[1] = &p->problem.stiffness;
     *step = VM_FABS(t);
     if (!laws[0]->function && !laws[1]->function) return VM_OK;
-    status = vmi_osc_walk_to(p, t, &mean);
+    status = vmi_osc_walk_along(p, t, &mean);
     if (status) return status;
     *step = vmi_larger(mean.shortest / panel_steps, VM_FABS(t) / run_steps);
     *step = vmi_larger(*step, VM_MIN); /* t may be subnormal */
@@ -15574,8 +15627,8 @@ VM_API int vmi_odd_elastic(const vm_odd_problem *o, const vmi_odd_now *now, vm_r
 /* -- The shape of the force -- */
 
 /* ratio1 and ratio3 are the coefficients k1 and k3 of Duffing's force, divided by their values at t = 0. rate1 and
-   rate3 are power series in time of the relative rates of change k1'/k1 and k3'/k3. For constant k1 or k3 the ratio is
-   1 and the rate 0. */
+   rate3 are power series, in the variable time/unit, of the relative rates of change k1'/k1 and k3'/k3, multiplied by
+   the time `unit`. For constant k1 or k3 the ratio is 1 and the rate 0. */
 typedef struct VM_TAG(vmi_odd_shape) {
     vm_real ratio1, ratio3;
     vm_real rate1[4], rate3[4];
@@ -15583,13 +15636,13 @@ typedef struct VM_TAG(vmi_odd_shape) {
 
 /* Writes the ratio and the rates of vmi_odd_shape for one coefficient, k1 or k3. `law` is the law of the coefficient,
    and `first` the value of the law at t = 0. The first `orders` terms of the power series of the rate are written. The
-   comment of vmi_law_derivatives explains side and length. Returns VM_NO_LAW where the law is 0 at some times but not
-   at all times. */
-VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
-                               vm_real *ratio, vm_real *rates)
+   comment of vmi_law_scaled_derivatives explains side, length and unit. Returns VM_NO_LAW where the law is 0 at some
+   times but not at all times. */
+VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, vm_real unit,
+                               int orders, vm_real *ratio, vm_real *rates)
 {
     vm_real f[VMI_LAW_ORDERS];
-    int i, status = vmi_law_derivatives(law, VM_OK, t, side, length, f);
+    int i, status = vmi_law_scaled_derivatives(law, VM_OK, t, side, length, unit, f);
     if (status) return status;
     *ratio = 1;
     for (i = 0; i < orders; i++) rates[i] = 0;
@@ -15606,9 +15659,10 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
 }
 
 /* Reads the shape of Duffing's force k1 x + k3 x^3 at t. With orders = 1 the function writes only the relative rates at
-   t, with orders = 4 their power series in time. If one of k1 and k3 is 0 all the time, its ratio and its rates become
-   those of the other coefficient, so that the factor s at the top of this file is 1. */
-VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
+   t, with orders = 4 their power series in time; `unit`, s, is the unit of the rates. If one of k1 and k3 is 0 all the
+   time, its ratio and its rates become those of the other coefficient, so that the factor s at the top of this file is
+   1. */
+VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vm_real unit, int orders,
                             vmi_odd_shape *shape)
 {
     const vm_odd_force *force = &o->force;
@@ -15620,9 +15674,11 @@ VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_rea
         shape->rate3[i] = 0;
     }
     if (!force->laws) return VM_OK;
-    status = vmi_odd_coefficient(&force->laws[0], force->k1, t, side, length, orders, &shape->ratio1, shape->rate1);
+    status = vmi_odd_coefficient(&force->laws[0], force->k1, t, side, length, unit, orders, &shape->ratio1,
+                                 shape->rate1);
     if (!status)
-        status = vmi_odd_coefficient(&force->laws[1], force->k3, t, side, length, orders, &shape->ratio3, shape->rate3);
+        status = vmi_odd_coefficient(&force->laws[1], force->k3, t, side, length, unit, orders, &shape->ratio3,
+                                     shape->rate3);
     if (status) return status;
     if (force->k1 == 0) {
         shape->ratio1 = shape->ratio3;
@@ -15659,7 +15715,7 @@ VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_od
     int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
     if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
     if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
-    if (!status) status = vmi_odd_shape_at(o, t, side, 0, 1, &shape);
+    if (!status) status = vmi_odd_shape_at(o, t, side, 0, 1, 1, &shape);
     if (status) return status;
     r->m = m[0];
     r->k = k[0] * shape.ratio1;
@@ -15684,20 +15740,22 @@ typedef struct VM_TAG(vmi_odd_slow) {
 } vmi_odd_slow;
 
 /* Computes the fields of *slow at t. `length`, in seconds, is needed for the derivatives of laws that are functions of
-   the user (see vmi_law_derivatives). Where a derivative of a law jumps at t, side = 1 means the derivative after t,
-   and side = -1 the derivative before t. */
+   the user (see vmi_law_scaled_derivatives); in this time the phase grows by about 16. All rates are computed in a unit
+   of about length/16. Where a derivative of a law jumps at t, side = 1 means the derivative after t, and side = -1 the
+   derivative before t. */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };
+    const vm_real unit = vmi_law_unit(length / 16);
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
     vm_real h[3], turn[2], scale[3], loss[3], speed, rate, rate_rate, G, G_rate;
     vmi_odd_shape shape;
-    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
-    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
-    if (!status) status = vmi_odd_shape_at(o, t, side, length, TERMS, &shape);
+    int i, status = vmi_law_scaled_derivatives(&o->mass, VM_BAD_MASS, t, side, length, unit, m);
+    if (!status) status = vmi_law_scaled_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, unit, k);
+    if (!status) status = vmi_law_scaled_derivatives(&o->damping, VM_OK, t, side, length, unit, b);
+    if (!status) status = vmi_odd_shape_at(o, t, side, length, unit, TERMS, &shape);
     if (status) return status;
-    speed = VM_SQRT(k[0] * shape.ratio1 / m[0]);
+    speed = VM_SQRT(k[0] * shape.ratio1 / m[0]) * unit;
     vmi_series_of_derivatives(TERMS, 1, m);
     vmi_series_of_derivatives(TERMS, 1, k);
     vmi_series_of_derivatives(TERMS, 1, b);
@@ -15707,7 +15765,7 @@ VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real
     for (i = 0; i < 3; i++) {
         ln_k[i] += shape.rate1[i];
         scale[i] = (shape.rate1[i] - shape.rate3[i]) / 2;
-        loss[i] = o->reactive * ln_m[i] + vmi_series_product(i, b, inverse);
+        loss[i] = o->reactive * ln_m[i] + vmi_series_product(i, b, inverse) * unit;
         h[i] = ((ln_k[i] - ln_m[i]) / 2 + loss[i]) / 2 + scale[i];
     }
     for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;

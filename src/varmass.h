@@ -122,6 +122,7 @@ VMI_QUIET_BEGIN
 
 #include "base/status.h"
 #include "base/linear.h"
+#include "base/power_of_two.h"
 #include "base/zero.h"
 #include "base/polynomial.h"
 #include "base/lambert.h"

@@ -494,6 +494,41 @@ static void test_any_precision(void)
     CHECK(vm_odd_plan_by_route(&plan, VM_ODD_MEAN, 0, 0, &a) == VM_OK && a.x == o.x && a.v == o.v && a.error == 0);
 }
 
+/* A constant mass by a user's function */
+static int constant_mass(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    *f = 1;
+    *rate = 0;
+    return 0;
+}
+
+/* A spring so stiff that powers of its rate overflow gives the motion of the unit spring in another unit of time. */
+static void test_stiff_spring(void)
+{
+    const vm_real rate = R(ldexp(1, is_float ? 40 : 240)); /* 1/s */
+    vm_odd_problem o = problem_of(vm_duffing_force(1, 0), 1, 0);
+    int route, user;
+    for (user = 0; user < 2; user++)
+        for (route = VM_ODD_MEAN; route <= VM_ODD_ORDER2; route++) {
+            vm_odd_motion m = {0, 0, 0, 0, 0, 0}, n = m;
+            o.mass = user ? vm_law_user(constant_mass, NULL) : vm_law_exponential(1, R(0.02));
+            o.stiffness = vm_law_linear(1, 0);
+            o.damping = vm_law_linear(R(0.01), R(0.001));
+            CHECK(vm_odd_plan_init(&plan, &o, 3) == VM_OK);
+            CHECK(vm_odd_plan_by_route(&plan, route, 3, 0, &m) == VM_OK);
+            if (!user) o.mass = vm_law_exponential(1, R(0.02) * rate);
+            o.stiffness = vm_law_linear(rate * rate, 0);
+            o.damping = vm_law_linear(R(0.01) * rate, R(0.001) * rate * rate);
+            CHECK(vm_odd_plan_init(&plan, &o, 3 / rate) == VM_OK);
+            CHECK(vm_odd_plan_by_route(&plan, route, 3 / rate, 0, &n) == VM_OK);
+            check_error("stiff spring", "x", "eps", fabs((double)(m.x - n.x)) / eps, 16, user, route);
+            check_error("stiff spring", "v", "eps", fabs((double)(m.v - n.v / rate)) / eps, 16, user, route);
+            check_error("stiff spring", "estimate", "rel", fabs((double)(n.error / m.error) - 1), 1e-3, user, route);
+        }
+}
+
 /* ---- Refusals ---- */
 
 static void test_forces_refused(void)
@@ -560,6 +595,7 @@ int main(void)
     test_linear_solution();
 #endif
     test_any_precision();
+    test_stiff_spring();
     test_forces_refused();
     test_problems_refused();
     return check_finish("odd_force");

@@ -743,6 +743,74 @@ static void test_extreme_orders(void)
     near("alpha = 1000", "", (double)m.x, (double)n.x, by_precision(1e-3, 1e-2));
 }
 
+/* 1 + size sin(rate t) */
+typedef struct sine_law {
+    double size, rate;
+} sine_law;
+static int sine_of_law(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    const sine_law *law = (const sine_law *)ctx;
+    *f = R(1 + law->size * sin(law->rate * (double)t));
+    *rate = R(law->size * law->rate * cos(law->rate * (double)t));
+    return 0;
+}
+
+/* In times so short that powers of 1/t overflow, every route gives the motion of a user's law. */
+static void test_short_times(void)
+{
+    static const double times[] = {1e-8, 1e-18, 1e-30, 1e-61, 1e-100, 1e-300};
+    sine_law constant = {0, 0};
+    vm_osc_problem o = problem(1, vm_law_user(sine_of_law, &constant), 0, 0);
+    vm_real knots[3] = {0, 0, 1}, values[3] = {1, 1, 1};
+    vm_osc_motion m;
+    int i, route;
+    for (i = 0; i < (is_float ? 3 : COUNT(times)); i++)
+        for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++) {
+            const vm_real t = R(times[i]);
+            CHECK(vm_osc_by_route(&o, route, t, 0, &m) == VM_OK && m.x == 1);
+            check_error("short times", "v", "tol", fabs((double)m.v / times[i] + 1) / by_precision(1e-6, 1e-3), 1, route, times[i]);
+            knots[1] = t / 2;
+            o.stiffness = vm_law_table(3, knots, values);
+            if (t * t > VM_MIN) CHECK(vm_osc_by_route(&o, route, t, 0, &m) == VM_OK && m.x == 1);
+            o.stiffness = vm_law_linear(1, 0);
+        }
+}
+
+/* With a unit of time of 2^-k s in place of 1 s the same motion has the same numbers, even where the sixth derivative of
+   a law overflows. */
+static void test_units_of_time(void)
+{
+    const int k = is_float ? 30 : 250;
+    const vm_real s = R(ldexp(1, -k));
+    vm_real time[3] = {0, 2, 8}, scaled[3], value[3] = {1, R(1.1), R(1.2)};
+    sine_law slow = {0.01, 0.125}, fast = {0.01, 0.125};
+    vm_law laws_slow[4], laws_fast[4];
+    int i, route;
+    fast.rate = ldexp(fast.rate, k);
+    for (i = 0; i < 3; i++) scaled[i] = time[i] * s;
+    laws_slow[0] = vm_law_user(sine_of_law, &slow);
+    laws_fast[0] = vm_law_user(sine_of_law, &fast);
+    laws_slow[1] = vm_law_exponential(1, R(0.02));
+    laws_fast[1] = vm_law_exponential(1, R(0.02) / s);
+    laws_slow[2] = vm_law_power(1, R(0.02), R(0.3));
+    laws_fast[2] = vm_law_power(1, R(0.02) / s, R(0.3));
+    laws_slow[3] = vm_law_table(3, time, value);
+    laws_fast[3] = vm_law_table(3, scaled, value);
+    for (i = 0; i < (is_float ? 3 : 4); i++)
+        for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++) {
+            vm_osc_problem o = problem(1, laws_slow[i], 0, 0);
+            const double bound = route < VM_ROUTE_RK45 ? 16 * eps : by_precision(1e-6, 1e-3);
+            vm_osc_motion m, n = {0, 0, 0, 0, 0, 0};
+            o.stiffness = vm_law_quadratic(1, R(0.01), R(0.001));
+            CHECK(vm_osc_by_route(&o, route, 5, 0, &m) == VM_OK);
+            o.mass = laws_fast[i];
+            o.stiffness = vm_law_quadratic(1 / s / s, R(0.01) / s / s / s, R(0.001) / s / s / s / s);
+            CHECK(vm_osc_by_route(&o, route, 5 * s, 0, &n) == VM_OK);
+            check_error("another unit of time", "x", "bound", fabs((double)(m.x - n.x)) / bound, 1, i, route);
+            check_error("another unit of time", "v", "bound", fabs((double)(m.v - n.v * s)) / bound, 1, i, route);
+        }
+}
+
 /* With eps = 0.3 first order is off, and the estimate says so; with eps = 2 the law of order five is, too. */
 static void test_not_slow(void)
 {
@@ -846,6 +914,8 @@ int main(void)
     test_masses();
     test_many_periods();
     test_extreme_orders();
+    test_short_times();
+    test_units_of_time();
     test_not_slow();
     test_constant_mass();
     test_bad_problems();

@@ -22,7 +22,7 @@
 #define VARMASS_MECHANICS_ATTITUDE_H
 
 #include "../base/arrays.h"
-#include "../base/bits.h"
+#include "../base/power_of_two.h"
 #include "../base/real.h"
 #include "../base/status.h"
 #include "../base/words.h"

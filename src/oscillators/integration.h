@@ -307,8 +307,8 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 }
 
 /* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
-   gives. vmi_osc_walk_to divides the time into panels, which are short where mass or stiffness changes fast; the step
-   is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is at
+   gives. vmi_osc_walk_along divides the time into panels, which are short where mass or stiffness changes fast; the
+   step is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is at
    least |t|/8192. If the field change_time of a law is set and shorter than this step, the step is change_time. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
@@ -320,7 +320,7 @@ VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
     laws[1] = &p->problem.stiffness;
     *step = VM_FABS(t);
     if (!laws[0]->function && !laws[1]->function) return VM_OK;
-    status = vmi_osc_walk_to(p, t, &mean);
+    status = vmi_osc_walk_along(p, t, &mean);
     if (status) return status;
     *step = vmi_larger(mean.shortest / panel_steps, VM_FABS(t) / run_steps);
     *step = vmi_larger(*step, VM_MIN); /* t may be subnormal */

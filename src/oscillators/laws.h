@@ -17,6 +17,7 @@
 #include "../ateb/phase.h"
 #include "../base/arrays.h"
 #include "../base/elementary.h"
+#include "../base/power_of_two.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
@@ -42,7 +43,7 @@ struct VM_TAG(vm_law) {
                                  it is unknown */
     /* Functions that depend on the kind of law; its constructor sets them. `derivatives` is null where no constructor
        made the law. `validate` checks the law between 0 and t; if it is null, only f(0) and f(t) are checked. */
-    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f);
+    int (*derivatives)(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit, vm_real *f);
     int (*validate)(const vm_law *law, int if_not_positive, vm_real t);
     int (*exponential_form)(const vm_law *law, vm_real *base, vm_real *rate); /* null if there is no exponential form */
     vm_real (*inverse_integral)(const vm_law *law, vm_real t);                /* null if there is no closed form */
@@ -54,7 +55,7 @@ struct VM_TAG(vm_law) {
 VM_API int vmi_time_side(vm_real length) { return length < 0 ? -1 : 1; }
 
 /* The number of values that the function `derivatives` of a law writes: f and its first six derivatives, to f[0] ...
-   f[6] */
+   f[6]. The derivative of order i is multiplied by the ith power of the time `unit`. */
 enum { VMI_LAW_ORDERS = 7 };
 
 /* Returns the final status of a law: its function `derivatives` returned `status` and wrote numbers to f, of which the
@@ -71,18 +72,32 @@ VM_API int vmi_law_status(int status, int if_not_positive, int n, const vm_real 
     return VM_OK;
 }
 
-/* Writes the value of a law and its derivatives at t to f[0], f[1] ... A constructor must have made the law. Where a
-   derivative jumps at t, its value after t is written for side = 1, its value before t for side = -1. With length = 0
-   only f and f' are written; with a positive length, s, all six derivatives. For a user's function the higher
-   derivatives are found from the rates that the function returns between t and t + side length. if_not_positive is the
-   status that is returned for f <= 0, for example VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
-VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
+/* Writes the value of a law and its derivatives at t, multiplied by powers of `unit`, s: f to f[0], f' unit to f[1],
+   f'' unit^2 to f[2] ... A constructor must have made the law. Where a derivative jumps at t, its value after t is
+   written for side = 1, its value before t for side = -1. With length = 0 only f[0] and f[1] are written; with a
+   positive length, s, all seven numbers. For a user's function the higher derivatives are found from the rates that the
+   function returns between t and t + side length. if_not_positive is the status that is returned for f <= 0, for
+   example VM_BAD_MASS for a mass; it is VM_OK where f may have any sign. */
+VM_API int vmi_law_scaled_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length,
+                                      vm_real unit, vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
     int i;
     for (i = 2; i < orders; i++) f[i] = 0;
-    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, orders, f);
+    return vmi_law_status(law->derivatives(law, t, side, length, unit, f), if_not_positive, orders, f);
 }
+
+/* Does what vmi_law_scaled_derivatives does, with a unit of 1 s. */
+VM_API int vmi_law_derivatives(const vm_law *law, int if_not_positive, vm_real t, int side, vm_real length, vm_real *f)
+{
+    return vmi_law_scaled_derivatives(law, if_not_positive, t, side, length, 1, f);
+}
+
+/* Returns the unit, s, for the derivatives of the laws of an oscillator whose phase grows by about 1 in `time`. It is a
+   power of two, so that it causes no rounding errors. The sixth derivative of a law that changes within 1e-8 s
+   overflows in float, but its product with unit^6 does not. Derivatives of slower laws do not overflow, so that the
+   unit need not be longer than 1 s. */
+VM_API vm_real vmi_law_unit(vm_real time) { return vmi_smaller(vmi_power_below(time), 1); }
 
 /* Does what vmi_law_derivatives does, but only f, f' and f'' are valid and checked. This function must not be called
    for a law made by vm_law_user. */
@@ -90,7 +105,7 @@ VM_API int vmi_law_two_derivatives(const vm_law *law, int if_not_positive, vm_re
 {
     const vm_real length = 1; /* 1 s; with any positive length f'' is written */
     f[2] = 0;
-    return vmi_law_status(law->derivatives(law, t, side, length, f), if_not_positive, 3, f);
+    return vmi_law_status(law->derivatives(law, t, side, length, 1, f), if_not_positive, 3, f);
 }
 
 /* Checks that a constructor made the law, and that the law is finite and positive between 0 and t. Of a user's function
@@ -180,12 +195,13 @@ VM_API vm_law vmi_law_of(vm_real f0, vm_real f1, vm_real f2)
 /* -- Linear laws -- */
 
 /* Writes f and f' of a linear law; its higher derivatives are 0. */
-VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+VM_API int vmi_law_linear_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                      vm_real *f)
 {
     (void)side;
     (void)length;
     f[0] = law->f0 + law->f1 * t;
-    f[1] = law->f1;
+    f[1] = law->f1 * unit;
     return VM_OK;
 }
 
@@ -217,12 +233,13 @@ VM_API vm_law vm_law_linear(vm_real f0, vm_real f1)
 /* -- Quadratic laws -- */
 
 /* Writes f, f' and f'' of a quadratic law; its higher derivatives are 0. */
-VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+VM_API int vmi_law_quadratic_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                         vm_real *f)
 {
     (void)side;
     f[0] = law->f0 + t * (law->f1 + t * law->f2);
-    f[1] = law->f1 + 2 * law->f2 * t;
-    if (length > 0) f[2] = 2 * law->f2;
+    f[1] = (law->f1 + 2 * law->f2 * t) * unit;
+    if (length > 0) f[2] = 2 * law->f2 * unit * unit;
     return VM_OK;
 }
 
@@ -270,14 +287,15 @@ VM_API vm_law vm_law_quadratic(vm_real f0, vm_real f1, vm_real f2)
 
 /* -- Exponential laws -- */
 
-/* Writes f and the derivatives of an exponential law. Each derivative is f1 times the derivative of one order lower. */
-VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+/* Writes f and the derivatives of an exponential law. Each derivative is f1 unit times the one of one order lower. */
+VM_API int vmi_law_exponential_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                           vm_real *f)
 {
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
     int i;
     (void)side;
     f[0] = law->f0 * vmi_exp(law->f1 * t, 0);
-    for (i = 1; i < orders; i++) f[i] = law->f1 * f[i - 1];
+    for (i = 1; i < orders; i++) f[i] = law->f1 * unit * f[i - 1];
     return VM_OK;
 }
 
@@ -304,9 +322,10 @@ VM_API vm_law vm_law_exponential(vm_real f0, vm_real f1)
 /* Writes f and the derivatives of a power law. Returns VM_BAD_MASS where 1 + f1 t is not positive, even if the law is
    not that of a mass. vmi_law_derivatives then replaces this status, for example by VM_BAD_STIFFNESS for a
    stiffness. */
-VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+VM_API int vmi_law_power_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                     vm_real *f)
 {
-    const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 / base;
+    const vm_real base = 1 + law->f1 * t, relative_rate = law->f1 * unit / base;
     const int orders = length > 0 ? VMI_LAW_ORDERS : 2;
     int i;
     (void)side;
@@ -386,7 +405,8 @@ VM_API int vmi_law_interval(const vm_law *law, vm_real t, int side)
 
 /* Writes f and its derivatives at t. f is the cubic on the interval of the table that contains t. The cubic has the
    values and slopes of the two points at the ends of this interval. */
-VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                     vm_real *f)
 {
     vm_real chord_time, u, chord, slope0, slope1, b, c;
     int i;
@@ -401,10 +421,10 @@ VM_API int vmi_law_table_derivatives(const vm_law *law, vm_real t, int side, vm_
     b = (3 * chord - 2 * slope0 - slope1) / chord_time;
     c = (slope0 + slope1 - 2 * chord) / (chord_time * chord_time);
     f[0] = law->value[i] + u * (slope0 + u * (b + u * c));
-    f[1] = slope0 + u * (2 * b + 3 * u * c);
+    f[1] = (slope0 + u * (2 * b + 3 * u * c)) * unit;
     if (length > 0) {
-        f[2] = 2 * b + 6 * u * c;
-        f[3] = 6 * c;
+        f[2] = (2 * b + 6 * u * c) * unit * unit;
+        f[3] = 6 * c * unit * unit * unit;
     }
     return VM_OK;
 }
@@ -505,19 +525,25 @@ VM_API int vmi_law_user_series(const vm_law *law, vm_real t, vm_real *length, vm
 }
 
 /* Writes f and f' from the user's function. For length > 0 it also writes the higher derivatives, from a Legendre
-   series of f'. */
-VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real *f)
+   series of f'. Within a very short length the rate changes only by rounding errors; the derivatives are then 0, even
+   if the factor `scale` overflows. */
+VM_API int vmi_law_user_derivatives(const vm_law *law, vm_real t, int side, vm_real length, vm_real unit,
+                                    vm_real *f)
 {
-    vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = 1;
+    vm_real series[VMI_GAUSS], whole = (vm_real)side * length, scale = unit;
     int i, k, status;
     if (law->function(t, &f[0], &f[1], law->ctx)) return VM_DOMAIN;
+    f[1] *= unit;
     if (!(length > 0)) return VM_OK;
     status = vmi_law_user_series(law, t, &whole, series);
     if (status) return status;
     for (i = 2; i < VMI_LAW_ORDERS; i++) {
         vmi_legendre_derive(series);
-        scale *= 2 / whole;
-        for (k = 0; k < VMI_GAUSS; k += 2) f[i] += scale * (series[k] - series[k + 1]); /* P_k(-1) = (-1)^k */
+        scale *= 2 * unit / whole;
+        for (k = 0; k < VMI_GAUSS; k += 2) {
+            const vm_real term = series[k] - series[k + 1]; /* P_k(-1) = (-1)^k */
+            if (term != 0) f[i] += scale * term;
+        }
     }
     return VM_OK;
 }

@@ -130,8 +130,8 @@ VM_API int vmi_odd_elastic(const vm_odd_problem *o, const vmi_odd_now *now, vm_r
 /* -- The shape of the force -- */
 
 /* ratio1 and ratio3 are the coefficients k1 and k3 of Duffing's force, divided by their values at t = 0. rate1 and
-   rate3 are power series in time of the relative rates of change k1'/k1 and k3'/k3. For constant k1 or k3 the ratio is
-   1 and the rate 0. */
+   rate3 are power series, in the variable time/unit, of the relative rates of change k1'/k1 and k3'/k3, multiplied by
+   the time `unit`. For constant k1 or k3 the ratio is 1 and the rate 0. */
 typedef struct VM_TAG(vmi_odd_shape) {
     vm_real ratio1, ratio3;
     vm_real rate1[4], rate3[4];
@@ -139,13 +139,13 @@ typedef struct VM_TAG(vmi_odd_shape) {
 
 /* Writes the ratio and the rates of vmi_odd_shape for one coefficient, k1 or k3. `law` is the law of the coefficient,
    and `first` the value of the law at t = 0. The first `orders` terms of the power series of the rate are written. The
-   comment of vmi_law_derivatives explains side and length. Returns VM_NO_LAW where the law is 0 at some times but not
-   at all times. */
-VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, int orders,
-                               vm_real *ratio, vm_real *rates)
+   comment of vmi_law_scaled_derivatives explains side, length and unit. Returns VM_NO_LAW where the law is 0 at some
+   times but not at all times. */
+VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int side, vm_real length, vm_real unit,
+                               int orders, vm_real *ratio, vm_real *rates)
 {
     vm_real f[VMI_LAW_ORDERS];
-    int i, status = vmi_law_derivatives(law, VM_OK, t, side, length, f);
+    int i, status = vmi_law_scaled_derivatives(law, VM_OK, t, side, length, unit, f);
     if (status) return status;
     *ratio = 1;
     for (i = 0; i < orders; i++) rates[i] = 0;
@@ -162,9 +162,10 @@ VM_API int vmi_odd_coefficient(const vm_law *law, vm_real first, vm_real t, int 
 }
 
 /* Reads the shape of Duffing's force k1 x + k3 x^3 at t. With orders = 1 the function writes only the relative rates at
-   t, with orders = 4 their power series in time. If one of k1 and k3 is 0 all the time, its ratio and its rates become
-   those of the other coefficient, so that the factor s at the top of this file is 1. */
-VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, int orders,
+   t, with orders = 4 their power series in time; `unit`, s, is the unit of the rates. If one of k1 and k3 is 0 all the
+   time, its ratio and its rates become those of the other coefficient, so that the factor s at the top of this file is
+   1. */
+VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vm_real unit, int orders,
                             vmi_odd_shape *shape)
 {
     const vm_odd_force *force = &o->force;
@@ -176,9 +177,11 @@ VM_API int vmi_odd_shape_at(const vm_odd_problem *o, vm_real t, int side, vm_rea
         shape->rate3[i] = 0;
     }
     if (!force->laws) return VM_OK;
-    status = vmi_odd_coefficient(&force->laws[0], force->k1, t, side, length, orders, &shape->ratio1, shape->rate1);
+    status = vmi_odd_coefficient(&force->laws[0], force->k1, t, side, length, unit, orders, &shape->ratio1,
+                                 shape->rate1);
     if (!status)
-        status = vmi_odd_coefficient(&force->laws[1], force->k3, t, side, length, orders, &shape->ratio3, shape->rate3);
+        status = vmi_odd_coefficient(&force->laws[1], force->k3, t, side, length, unit, orders, &shape->ratio3,
+                                     shape->rate3);
     if (status) return status;
     if (force->k1 == 0) {
         shape->ratio1 = shape->ratio3;
@@ -215,7 +218,7 @@ VM_API int vmi_odd_rates_at(const vm_odd_problem *o, vm_real t, int side, vmi_od
     int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, 0, m);
     if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, 0, k);
     if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, 0, b);
-    if (!status) status = vmi_odd_shape_at(o, t, side, 0, 1, &shape);
+    if (!status) status = vmi_odd_shape_at(o, t, side, 0, 1, 1, &shape);
     if (status) return status;
     r->m = m[0];
     r->k = k[0] * shape.ratio1;
@@ -240,20 +243,22 @@ typedef struct VM_TAG(vmi_odd_slow) {
 } vmi_odd_slow;
 
 /* Computes the fields of *slow at t. `length`, in seconds, is needed for the derivatives of laws that are functions of
-   the user (see vmi_law_derivatives). Where a derivative of a law jumps at t, side = 1 means the derivative after t,
-   and side = -1 the derivative before t. */
+   the user (see vmi_law_scaled_derivatives); in this time the phase grows by about 16. All rates are computed in a unit
+   of about length/16. Where a derivative of a law jumps at t, side = 1 means the derivative after t, and side = -1 the
+   derivative before t. */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };
+    const vm_real unit = vmi_law_unit(length / 16);
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS], b[VMI_LAW_ORDERS], ln_m[TERMS], ln_k[TERMS], inverse[TERMS];
     vm_real h[3], turn[2], scale[3], loss[3], speed, rate, rate_rate, G, G_rate;
     vmi_odd_shape shape;
-    int i, status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
-    if (!status) status = vmi_law_derivatives(&o->damping, VM_OK, t, side, length, b);
-    if (!status) status = vmi_odd_shape_at(o, t, side, length, TERMS, &shape);
+    int i, status = vmi_law_scaled_derivatives(&o->mass, VM_BAD_MASS, t, side, length, unit, m);
+    if (!status) status = vmi_law_scaled_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, unit, k);
+    if (!status) status = vmi_law_scaled_derivatives(&o->damping, VM_OK, t, side, length, unit, b);
+    if (!status) status = vmi_odd_shape_at(o, t, side, length, unit, TERMS, &shape);
     if (status) return status;
-    speed = VM_SQRT(k[0] * shape.ratio1 / m[0]);
+    speed = VM_SQRT(k[0] * shape.ratio1 / m[0]) * unit;
     vmi_series_of_derivatives(TERMS, 1, m);
     vmi_series_of_derivatives(TERMS, 1, k);
     vmi_series_of_derivatives(TERMS, 1, b);
@@ -263,7 +268,7 @@ VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real
     for (i = 0; i < 3; i++) {
         ln_k[i] += shape.rate1[i];
         scale[i] = (shape.rate1[i] - shape.rate3[i]) / 2;
-        loss[i] = o->reactive * ln_m[i] + vmi_series_product(i, b, inverse);
+        loss[i] = o->reactive * ln_m[i] + vmi_series_product(i, b, inverse) * unit;
         h[i] = ((ln_k[i] - ln_m[i]) / 2 + loss[i]) / 2 + scale[i];
     }
     for (i = 0; i < 2; i++) turn[i] = (ln_k[i] - ln_m[i]) / 2;

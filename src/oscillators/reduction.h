@@ -172,9 +172,11 @@ VM_API void vmi_osc_find_G(int n, vm_real *a, vm_real *p, vmi_osc_slow *now)
     }
 }
 
-/* Fills *now from the arrays m and k, which contain mass and stiffness with their derivatives up to the sixth. Both
-   arrays are overwritten. The argument `unit`, s, becomes the field `unit` of *now. */
-VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real unit, vmi_osc_slow *now)
+/* Fills *now from the arrays m and k, which contain mass and stiffness with their derivatives up to the sixth, as
+   vmi_law_scaled_derivatives writes them in the unit law_unit, s. Both arrays are overwritten. The argument `unit`, s,
+   becomes the field `unit` of *now. */
+VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_real law_unit, vm_real unit,
+                            vmi_osc_slow *now)
 {
     const int n = VMI_LAW_ORDERS - 1;
     vm_real m_rate[VMI_LAW_ORDERS], k_rate[VMI_LAW_ORDERS], inverse[VMI_LAW_ORDERS];
@@ -182,8 +184,8 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
     now->m = m[0];
     now->k = k[0];
     now->unit = unit;
-    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit, m);
-    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit, k);
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit / law_unit, m);
+    vmi_series_of_derivatives(VMI_LAW_ORDERS, unit / law_unit, k);
     vmi_series_log_rate(VMI_LAW_ORDERS, m, m_rate);
     vmi_series_log_rate(VMI_LAW_ORDERS, k, k_rate);
     vmi_series_inverse(n, m, inverse);
@@ -206,10 +208,12 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
 VM_API int vmi_osc_slow_at(const vm_osc_problem *o, vm_real t, int side, vm_real length, vm_real unit,
                            vmi_osc_slow *now)
 {
+    const vm_real law_unit = vmi_law_unit(unit);
     vm_real m[VMI_LAW_ORDERS], k[VMI_LAW_ORDERS];
-    int status = vmi_law_derivatives(&o->mass, VM_BAD_MASS, t, side, length, m);
-    if (!status) status = vmi_law_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, k);
-    if (!status) vmi_osc_slow_of(o, m, k, unit, now);
+    int status = vmi_law_scaled_derivatives(&o->mass, VM_BAD_MASS, t, side, length, law_unit, m);
+    if (!status)
+        status = vmi_law_scaled_derivatives(&o->stiffness, VM_BAD_STIFFNESS, t, side, length, law_unit, k);
+    if (!status) vmi_osc_slow_of(o, m, k, law_unit, unit, now);
     return status;
 }
 

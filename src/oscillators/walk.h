@@ -369,9 +369,9 @@ VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* Computes the mean motion at t by integrals along the laws of mass and stiffness, from one point of a table to the
-   next. */
-VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
+/* Integrates along the laws of mass and stiffness from 0 to t, from one point of a table to the next. It leaves those
+   fields of *mean untouched that vmi_osc_mean_update sets. */
+VM_API int vmi_osc_walk_along(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;
     const int side = vmi_time_side(t);
@@ -389,7 +389,14 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
         at = next;
         if (!status && at != t) status = vmi_osc_walk_past_knot(p, at, side, mean);
     }
-    if (!status) status = vmi_osc_mean_update(p, t, side, mean);
+    return status;
+}
+
+/* Computes the mean motion at t by integrals along the laws of mass and stiffness. */
+VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
+{
+    int status = vmi_osc_walk_along(p, t, mean);
+    if (!status) status = vmi_osc_mean_update(p, t, vmi_time_side(t), mean);
     return status;
 }
 
