@@ -409,6 +409,28 @@ static void test_backward(void)
     check_error("t < 0", "", "1e-3", 1e3 * fabs((double)(m.x - n.x)), 4, m.route, 0);
 }
 
+/* A mass of 1 that exists from the time -1e-9 on */
+static int begins_late(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    (void)ctx;
+    *f = 1;
+    *rate = 0;
+    return t < R(-1e-9);
+}
+
+/* A user's law need not be defined before t, however short the way back is. */
+static void test_late_beginning(void)
+{
+    static const double times[] = {-1e-20, -1e-14, -5e-10, -1e-9};
+    const vm_osc_problem o = problem(1, vm_law_user(begins_late, NULL), 0, 0);
+    vm_osc_motion m;
+    int i, route;
+    for (i = 0; i < COUNT(times); i++)
+        for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++)
+            CHECK(vm_osc_by_route(&o, route, R(times[i]), 0, &m) == VM_OK && m.x == 1 && m.v > 0);
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_ATEB, R(-2e-9), 0, &m) == VM_DOMAIN);
+}
+
 /* The equation of motion for alpha = 3, m = 1 + 1e-3 t */
 static int cubic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -902,6 +924,7 @@ int main(void)
     test_choice();
     test_plan_and_calls();
     test_backward();
+    test_late_beginning();
     test_speed();
     test_evaluations();
     test_longest_step();

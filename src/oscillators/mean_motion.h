@@ -65,9 +65,7 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
 /* Computes the mean motion at a time t so close to 0 that mass and stiffness do not change between 0 and t. */
 VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    int status = VM_OK;
-    *mean = vmi_osc_mean_at_0(p);
-    if (t < 0) status = vmi_osc_start_backward(p, mean);
+    const int status = vmi_osc_walk_start(p, t, mean);
     mean->inverse_mass = t / p->m0;
     mean->phase = t;
     mean->psi += p->mean.W * t;

@@ -369,6 +369,16 @@ VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
     return VM_OK;
 }
 
+/* Sets *mean to the mean motion at t = 0 with which the way to t begins. Backward in time it is another one than forward
+   only where the second derivative of a law jumps at t = 0. */
+VM_API int vmi_osc_walk_start(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
+{
+    const int jumps = vmi_law_has_knot(&p->problem.mass, 0) || vmi_law_has_knot(&p->problem.stiffness, 0);
+    *mean = vmi_osc_mean_at_0(p);
+    if (t < 0 && jumps) return vmi_osc_start_backward(p, mean);
+    return VM_OK;
+}
+
 /* Integrates along the laws of mass and stiffness from 0 to t, from one point of a table to the next. It leaves those
    fields of *mean untouched that vmi_osc_mean_update sets. */
 VM_API int vmi_osc_walk_along(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
@@ -378,11 +388,8 @@ VM_API int vmi_osc_walk_along(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mea
     const vm_real whole = VM_FABS(t);
     const vm_real longest = vmi_smaller(vmi_law_longest_panel(mass, whole), vmi_law_longest_panel(stiffness, whole));
     vm_real at = 0;
-    int status = VM_OK;
-    *mean = vmi_osc_mean_at_0(p);
+    int status = vmi_osc_walk_start(p, t, mean);
     mean->shortest = longest;
-    if (side < 0 && (vmi_law_has_knot(mass, 0) || vmi_law_has_knot(stiffness, 0)))
-        status = vmi_osc_start_backward(p, mean);
     while (!status && at != t) {
         const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
         status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);
