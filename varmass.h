@@ -856,7 +856,7 @@ VM_API int vmi_solve_mass(int n, vm_real *a, vm_real *b, vm_real *scale)
 
        vm_real power = vmi_power_below(12); // 8
 
-   Tests: tests/test_attitude.c, tests/test_slow_motion.c. */
+   Tests: tests/test_attitude.c, tests/test_jeffcott.c. */
 #ifndef VARMASS_BASE_POWER_OF_TWO_H
 #define VARMASS_BASE_POWER_OF_TWO_H
 
@@ -918,19 +918,11 @@ VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
 }
 
 #endif
-/* base/hypot.h - the length of a vector in the plane, and the power of two below a number
+/* base/hypot.h - the length of a vector in the plane
 
    Tests: tests/test_jumps.c, tests/test_laws.c. */
 #ifndef VARMASS_BASE_HYPOT_H
 #define VARMASS_BASE_HYPOT_H
-
-/* Returns the largest power of two that is at most x, or VM_MIN if x is smaller than VM_MIN. */
-VM_API vm_real vmi_power_below(vm_real x)
-{
-    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
-    if (x < VM_MIN) return VM_MIN;
-    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
-}
 
 /* Returns the length sqrt(x^2 + y^2), also where the squares overflow or underflow, and NaN if x or y is NaN. */
 VM_API vm_real vmi_hypot(vm_real x, vm_real y)

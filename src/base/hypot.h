@@ -1,19 +1,10 @@
-/* base/hypot.h - the length of a vector in the plane, and the power of two below a number
+/* base/hypot.h - the length of a vector in the plane
 
    Tests: tests/test_jumps.c, tests/test_laws.c. */
 #ifndef VARMASS_BASE_HYPOT_H
 #define VARMASS_BASE_HYPOT_H
 
-#include "bits.h"
 #include "real.h"
-
-/* Returns the largest power of two that is at most x, or VM_MIN if x is smaller than VM_MIN. */
-VM_API vm_real vmi_power_below(vm_real x)
-{
-    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
-    if (x < VM_MIN) return VM_MIN;
-    return vmi_from_bits(vmi_to_bits(x) & ~mantissa);
-}
 
 /* Returns the length sqrt(x^2 + y^2), also where the squares overflow or underflow, and NaN if x or y is NaN. */
 VM_API vm_real vmi_hypot(vm_real x, vm_real y)

@@ -2,7 +2,7 @@
 
        vm_real power = vmi_power_below(12); // 8
 
-   Tests: tests/test_attitude.c, tests/test_slow_motion.c. */
+   Tests: tests/test_attitude.c, tests/test_jeffcott.c. */
 #ifndef VARMASS_BASE_POWER_OF_TWO_H
 #define VARMASS_BASE_POWER_OF_TWO_H
 

@@ -28,7 +28,7 @@
 #include "../base/arrays.h"
 #include "../base/complex.h"
 #include "../base/elementary.h"
-#include "../base/hypot.h"
+#include "../base/power_of_two.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
