@@ -11023,7 +11023,8 @@ typedef struct VM_TAG(vm_osc_plan) {
     vm_real E[VMI_OSC_G];    /* the numbers E_k at t = 0 (see vmi_osc_disturbance) */
     vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
     int start_order;         /* order after which the law of order five was cut off to find `mean`: 5, or 2 if `ripple`
-                                has no polynomials; 0 where x and v are 0, so that there is no mean motion */
+                                has no polynomials; 0 where there is no mean motion, because x and v are 0 or because
+                                Om is too small (vmi_osc_has_phase) */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
     vmi_osc_rates_of_u laws; /* where `closed` is 1, the rates in the exponents of the laws (oscillators/closed.h) */
     vmi_osc_closed_mean closed_mean; /* where `closed` is 1, the mean motion at t = 0 and its rates */
@@ -11041,13 +11042,15 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
+/* Returns 0 if the elastic force is so weak that the rate Om of the phase underflows, or that the time in which the
+   phase grows by 16 overflows; else 1. For alpha = 5 this is so at an amplitude of 1e-200 m. Such a body moves as if no
+   spring were there: in any time that matters its phase stays as it is, while all changes of mass and stiffness are fast
+   in comparison. */
+VM_API int vmi_osc_has_phase(const vm_osc_plan *p) { return p->Om >= 8 * VM_MIN; }
+
 /* Returns the time, s, in which the phase grows by 16. The second and higher derivatives of a law by a user's function
-   are found from its first derivatives within this time. */
-VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
-{
-    if (!(p->Om > 0)) return 0;
-    return 16 / p->Om;
-}
+   are found from its first derivatives within this time. The plan must have a phase (vmi_osc_has_phase). */
+VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p) { return 16 / p->Om; }
 
 /* Returns the mean motion that belongs to a reduced state (see vmi_osc_reduced), by the law of the given order, 2 to 5.
    E contains the numbers E_k of the state (see vmi_osc_disturbance). */
@@ -11068,6 +11071,30 @@ VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
     return vmi_ateb_constants;
 }
 
+/* Sets the fields `slow`, `E` and `mean` where the plan has no phase: to mass, stiffness and their rates, and to the
+   amplitude and the phase at t = 0. */
+VM_API int vmi_osc_start_without_phase(vm_osc_plan *p)
+{
+    vmi_osc_rates rates;
+    int i, status = vmi_osc_rates_at(&p->problem, 0, 1, &rates);
+    if (status) return status;
+    p->slow.m = rates.m;
+    p->slow.k = rates.k;
+    p->slow.a = rates.a;
+    p->slow.p = rates.p;
+    p->slow.k_rate = rates.k_rate;
+    p->slow.unit = 1;
+    for (i = 0; i < VMI_OSC_G; i++) {
+        p->slow.G[i] = 0;
+        p->E[i] = 0;
+    }
+    p->mean.A = p->A;
+    p->mean.psi = p->psi;
+    p->mean.W = p->Om;
+    p->closed = 0;
+    return VM_OK;
+}
+
 /* Computes the mean motion at t = 0, by the law of order 5 if p->ripple has its polynomials, else by the law of order
    2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
@@ -11078,6 +11105,7 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     int status;
     p->start_order = 0;
     if (p->A == 0) return VM_OK;
+    if (!vmi_osc_has_phase(p)) return vmi_osc_start_without_phase(p);
     status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), 1 / p->Om, &p->slow);
     if (status) return status;
     if (p->closed) {
@@ -11848,7 +11876,7 @@ VM_API int vmi_osc_walk_start(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mea
 {
     const int jumps = vmi_law_has_knot(&p->problem.mass, 0) || vmi_law_has_knot(&p->problem.stiffness, 0);
     *mean = vmi_osc_mean_at_0(p);
-    if (t < 0 && jumps) return vmi_osc_start_backward(p, mean);
+    if (t < 0 && jumps && vmi_osc_has_phase(p)) return vmi_osc_start_backward(p, mean);
     return VM_OK;
 }
 
@@ -11932,7 +11960,8 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     }
 }
 
-/* Computes the mean motion at a time t so close to 0 that mass and stiffness do not change between 0 and t. */
+/* Computes the mean motion at a time t so close to 0 that mass and stiffness do not change between 0 and t. The same
+   motion stands for that of a plan without a phase (vmi_osc_has_phase). */
 VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const int status = vmi_osc_walk_start(p, t, mean);
@@ -11949,7 +11978,7 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, the laws change only by
                                                    rounding errors */
     int status = VM_OK;
-    if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
+    if (!vmi_osc_has_phase(p) || (!p->closed && p->Om * VM_FABS(t) < too_short)) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;
@@ -13828,8 +13857,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
    error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed. Also returns
-   VM_NOT_INTEGRATED if mass, stiffness or force change as fast as the phase, because amplitude and phase then do not
-   describe the motion. Where the law of the mass or of the stiffness fails, returns the status of this law. */
+   VM_NOT_INTEGRATED if mass, stiffness or force change as fast as the phase, or if the plan has no phase
+   (vmi_osc_has_phase), because amplitude and phase then do not describe the motion. Where the law of the mass or of the stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_problem *o = &plan->problem;
@@ -13841,7 +13870,9 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vmi_osc_pair_run r;
     vm_osc_motion result;
     vm_real sa, ca;
-    int i, status = vmi_osc_law_step(plan, t, &r.longest);
+    int i, status;
+    if (!vmi_osc_has_phase(plan)) return VM_NOT_INTEGRATED;
+    status = vmi_osc_law_step(plan, t, &r.longest);
     r.change = 0;
     status = vmi_first_error(status, vmi_osc_change_at(plan, 0, vmi_time_side(t), &r.change));
     status = vmi_first_error(status, vmi_osc_change_at(plan, t, -vmi_time_side(t), &r.change));
@@ -14048,6 +14079,9 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
      VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, a user's law that fails,
        or a change_time that is negative or too short,
      VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with a force F, and for all routes with F if x = v = 0 at t = 0,
+     VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, and VM_NOT_INTEGRATED for collocation, where the elastic force is
+       so weak that the rate of the phase underflows, as for alpha = 5 and x = 1e-200 m (the routes of first order then
+       leave the body where it is, and vm_osc_plan_within takes rk87 if their estimated error is too large),
      VM_NOT_INTEGRATED, for collocation only, where amplitude and phase do not describe the motion,
      VM_NOT_INTEGRATED where the integrator cannot reach t, where |t| is more than 2^23 of the present periods, or where
        there are too many steps: more than 2^13 in each period, plus four times the number of steps of the greatest
@@ -14061,8 +14095,8 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
     int status = vmi_osc_check_call(p, route, t, &tolerance, motion);
     if (status) return status;
     entry = vmi_osc_route_of(route);
-    if (p->problem.force && !entry.integrate) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
+    if ((p->problem.force || p->start_order == 0) && !entry.integrate) return VM_NO_LAW;
     if (p->problem.force || !entry.solution) return entry.integrate(p, route, t, tolerance, motion);
     status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;
@@ -17684,7 +17718,9 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     const vm_real quarter = p->osc.ripple.pi / 2;
     vmi_osc_reduced r;
     vm_real from_multiple;
-    int i, status = vmi_osc_slow_at(o, 0, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om, &mean->now);
+    int i, status;
+    if (!vmi_osc_has_phase(&p->osc)) return VM_NO_LAW;
+    status = vmi_osc_slow_at(o, 0, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om, &mean->now);
     if (status) return status;
     mean->t = 0;
     mean->segment = 0;

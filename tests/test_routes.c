@@ -833,6 +833,40 @@ static void test_units_of_time(void)
         }
 }
 
+/* A spring so weak that the rate of the phase underflows leaves the body where it is, whatever gives its mass. */
+static void test_no_phase(void)
+{
+    static const double parts[] = {1, 1e-3, 1e-6, 1e-20};
+    sine_law breathing = {0.01, 0.1};
+    const vm_real x = R(by_precision(1e-150, 1e-17)); /* here the rate, about x^2, is just normal in double and float */
+    vm_law masses[4];
+    vm_real time[3] = {-20, 0, 20}, value[3] = {1, 2, 4};
+    int i, k, route, side;
+    masses[0] = vm_law_linear(1, 0);
+    masses[1] = vm_law_linear(10, R(-0.1));
+    masses[2] = vm_law_user(sine_of_law, &breathing);
+    masses[3] = vm_law_table(3, time, value);
+    for (i = 0; i < COUNT(masses); i++)
+        for (k = 0; k < COUNT(parts); k++)
+            for (side = -1; side <= 1; side += 2) {
+                vm_osc_problem o = problem(5, masses[i], 0, 0);
+                static vm_osc_plan plan;
+                vm_osc_motion m = {0, 0, 0, 0, 0, 0};
+                const vm_real t = R(10 * side);
+                o.x = R(x * R(parts[k]));
+                CHECK(vm_osc_within(&o, t, 0, &m) == VM_OK && VM_FABS(m.x - o.x) <= 4 * VM_EPSILON * o.x);
+                CHECK(vm_osc_plan_init(&plan, &o) == VM_OK && vm_osc_plan_within(&plan, t, 0, &m) == VM_OK);
+                CHECK(VM_FABS(m.x - o.x) <= 4 * VM_EPSILON * o.x);
+                if (k < 2) continue; /* the rate is not 0 */
+                for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++) {
+                    const int status = vm_osc_plan_by_route(&plan, route, t, 0, &m);
+                    if (route <= VM_ROUTE_ATEB || route >= VM_ROUTE_RK45)
+                        CHECK(status == VM_OK && VM_FABS(m.x - o.x) <= 4 * VM_EPSILON * o.x);
+                    else CHECK(status == (route == VM_ROUTE_COLLOCATION ? VM_NOT_INTEGRATED : VM_NO_LAW));
+                }
+            }
+}
+
 /* With eps = 0.3 first order is off, and the estimate says so; with eps = 2 the law of order five is, too. */
 static void test_not_slow(void)
 {
@@ -939,6 +973,7 @@ int main(void)
     test_extreme_orders();
     test_short_times();
     test_units_of_time();
+    test_no_phase();
     test_not_slow();
     test_constant_mass();
     test_bad_problems();

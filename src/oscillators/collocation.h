@@ -220,8 +220,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
    error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed. Also returns
-   VM_NOT_INTEGRATED if mass, stiffness or force change as fast as the phase, because amplitude and phase then do not
-   describe the motion. Where the law of the mass or of the stiffness fails, returns the status of this law. */
+   VM_NOT_INTEGRATED if mass, stiffness or force change as fast as the phase, or if the plan has no phase
+   (vmi_osc_has_phase), because amplitude and phase then do not describe the motion. Where the law of the mass or of the stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_problem *o = &plan->problem;
@@ -233,7 +233,9 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     vmi_osc_pair_run r;
     vm_osc_motion result;
     vm_real sa, ca;
-    int i, status = vmi_osc_law_step(plan, t, &r.longest);
+    int i, status;
+    if (!vmi_osc_has_phase(plan)) return VM_NOT_INTEGRATED;
+    status = vmi_osc_law_step(plan, t, &r.longest);
     r.change = 0;
     status = vmi_first_error(status, vmi_osc_change_at(plan, 0, vmi_time_side(t), &r.change));
     status = vmi_first_error(status, vmi_osc_change_at(plan, t, -vmi_time_side(t), &r.change));

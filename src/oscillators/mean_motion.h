@@ -62,7 +62,8 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     }
 }
 
-/* Computes the mean motion at a time t so close to 0 that mass and stiffness do not change between 0 and t. */
+/* Computes the mean motion at a time t so close to 0 that mass and stiffness do not change between 0 and t. The same
+   motion stands for that of a plan without a phase (vmi_osc_has_phase). */
 VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const int status = vmi_osc_walk_start(p, t, mean);
@@ -79,7 +80,7 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, the laws change only by
                                                    rounding errors */
     int status = VM_OK;
-    if (!p->closed && p->Om * VM_FABS(t) < too_short) status = vmi_osc_mean_near_0(p, t, mean);
+    if (!vmi_osc_has_phase(p) || (!p->closed && p->Om * VM_FABS(t) < too_short)) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;

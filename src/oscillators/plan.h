@@ -34,7 +34,8 @@ typedef struct VM_TAG(vm_osc_plan) {
     vm_real E[VMI_OSC_G];    /* the numbers E_k at t = 0 (see vmi_osc_disturbance) */
     vmi_osc_reduced mean;    /* amplitude, phase and rate of the mean motion at t = 0 */
     int start_order;         /* order after which the law of order five was cut off to find `mean`: 5, or 2 if `ripple`
-                                has no polynomials; 0 where x and v are 0, so that there is no mean motion */
+                                has no polynomials; 0 where there is no mean motion, because x and v are 0 or because
+                                Om is too small (vmi_osc_has_phase) */
     int closed;              /* 1 where all integrals along the laws have closed forms, else 0 */
     vmi_osc_rates_of_u laws; /* where `closed` is 1, the rates in the exponents of the laws (oscillators/closed.h) */
     vmi_osc_closed_mean closed_mean; /* where `closed` is 1, the mean motion at t = 0 and its rates */
@@ -52,13 +53,15 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
     return vmi_osc_wave_ca(p->problem.alpha, p->has_ateb ? &p->ateb : NULL);
 }
 
+/* Returns 0 if the elastic force is so weak that the rate Om of the phase underflows, or that the time in which the
+   phase grows by 16 overflows; else 1. For alpha = 5 this is so at an amplitude of 1e-200 m. Such a body moves as if no
+   spring were there: in any time that matters its phase stays as it is, while all changes of mass and stiffness are fast
+   in comparison. */
+VM_API int vmi_osc_has_phase(const vm_osc_plan *p) { return p->Om >= 8 * VM_MIN; }
+
 /* Returns the time, s, in which the phase grows by 16. The second and higher derivatives of a law by a user's function
-   are found from its first derivatives within this time. */
-VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p)
-{
-    if (!(p->Om > 0)) return 0;
-    return 16 / p->Om;
-}
+   are found from its first derivatives within this time. The plan must have a phase (vmi_osc_has_phase). */
+VM_API vm_real vmi_osc_sampling_time(const vm_osc_plan *p) { return 16 / p->Om; }
 
 /* Returns the mean motion that belongs to a reduced state (see vmi_osc_reduced), by the law of the given order, 2 to 5.
    E contains the numbers E_k of the state (see vmi_osc_disturbance). */
@@ -79,6 +82,30 @@ VM_API vmi_ateb_constants_of vmi_osc_constants_of(int for_many)
     return vmi_ateb_constants;
 }
 
+/* Sets the fields `slow`, `E` and `mean` where the plan has no phase: to mass, stiffness and their rates, and to the
+   amplitude and the phase at t = 0. */
+VM_API int vmi_osc_start_without_phase(vm_osc_plan *p)
+{
+    vmi_osc_rates rates;
+    int i, status = vmi_osc_rates_at(&p->problem, 0, 1, &rates);
+    if (status) return status;
+    p->slow.m = rates.m;
+    p->slow.k = rates.k;
+    p->slow.a = rates.a;
+    p->slow.p = rates.p;
+    p->slow.k_rate = rates.k_rate;
+    p->slow.unit = 1;
+    for (i = 0; i < VMI_OSC_G; i++) {
+        p->slow.G[i] = 0;
+        p->E[i] = 0;
+    }
+    p->mean.A = p->A;
+    p->mean.psi = p->psi;
+    p->mean.W = p->Om;
+    p->closed = 0;
+    return VM_OK;
+}
+
 /* Computes the mean motion at t = 0, by the law of order 5 if p->ripple has its polynomials, else by the law of order
    2. */
 VM_API int vmi_osc_start(vm_osc_plan *p)
@@ -89,6 +116,7 @@ VM_API int vmi_osc_start(vm_osc_plan *p)
     int status;
     p->start_order = 0;
     if (p->A == 0) return VM_OK;
+    if (!vmi_osc_has_phase(p)) return vmi_osc_start_without_phase(p);
     status = vmi_osc_slow_at(o, 0, 1, vmi_osc_sampling_time(p), 1 / p->Om, &p->slow);
     if (status) return status;
     if (p->closed) {

@@ -185,6 +185,9 @@ VM_API int vmi_osc_at_rest(const vm_osc_plan *p, int route, vm_osc_motion *motio
      VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, a user's law that fails,
        or a change_time that is negative or too short,
      VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 with a force F, and for all routes with F if x = v = 0 at t = 0,
+     VM_NO_LAW for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, and VM_NOT_INTEGRATED for collocation, where the elastic force is
+       so weak that the rate of the phase underflows, as for alpha = 5 and x = 1e-200 m (the routes of first order then
+       leave the body where it is, and vm_osc_plan_within takes rk87 if their estimated error is too large),
      VM_NOT_INTEGRATED, for collocation only, where amplitude and phase do not describe the motion,
      VM_NOT_INTEGRATED where the integrator cannot reach t, where |t| is more than 2^23 of the present periods, or where
        there are too many steps: more than 2^13 in each period, plus four times the number of steps of the greatest
@@ -198,8 +201,8 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
     int status = vmi_osc_check_call(p, route, t, &tolerance, motion);
     if (status) return status;
     entry = vmi_osc_route_of(route);
-    if (p->problem.force && !entry.integrate) return VM_NO_LAW;
     if (p->A == 0) return vmi_osc_at_rest(p, route, motion);
+    if ((p->problem.force || p->start_order == 0) && !entry.integrate) return VM_NO_LAW;
     if (p->problem.force || !entry.solution) return entry.integrate(p, route, t, tolerance, motion);
     status = vmi_osc_mean_at(p, t, &mean);
     if (status) return status;

@@ -220,7 +220,9 @@ VM_API int vmi_vdp_start(const vm_vdp_plan *p, int side, vmi_vdp_mean *mean)
     const vm_real quarter = p->osc.ripple.pi / 2;
     vmi_osc_reduced r;
     vm_real from_multiple;
-    int i, status = vmi_osc_slow_at(o, 0, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om, &mean->now);
+    int i, status;
+    if (!vmi_osc_has_phase(&p->osc)) return VM_NO_LAW;
+    status = vmi_osc_slow_at(o, 0, side, vmi_osc_sampling_time(&p->osc), 1 / p->osc.Om, &mean->now);
     if (status) return status;
     mean->t = 0;
     mean->segment = 0;

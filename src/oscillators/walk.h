@@ -375,7 +375,7 @@ VM_API int vmi_osc_walk_start(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mea
 {
     const int jumps = vmi_law_has_knot(&p->problem.mass, 0) || vmi_law_has_knot(&p->problem.stiffness, 0);
     *mean = vmi_osc_mean_at_0(p);
-    if (t < 0 && jumps) return vmi_osc_start_backward(p, mean);
+    if (t < 0 && jumps && vmi_osc_has_phase(p)) return vmi_osc_start_backward(p, mean);
     return VM_OK;
 }
 
