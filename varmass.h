@@ -11044,7 +11044,7 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 
 /* Returns 0 if the elastic force is so weak that the rate Om of the phase underflows, or that the time in which the
    phase grows by 16 overflows; else 1. For alpha = 5 this is so at an amplitude of 1e-200 m. Such a body moves as if no
-   spring were there: in any time that matters its phase stays as it is, while all changes of mass and stiffness are fast
+   spring were there: in any time that matters its phase stays as it is, and all changes of mass and stiffness are fast
    in comparison. */
 VM_API int vmi_osc_has_phase(const vm_osc_plan *p) { return p->Om >= 8 * VM_MIN; }
 
@@ -11870,8 +11870,8 @@ VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* Sets *mean to the mean motion at t = 0 with which the way to t begins. Backward in time it is another one than forward
-   only where the second derivative of a law jumps at t = 0. */
+/* Sets *mean to the mean motion at t = 0 with which the way to t begins. Backward in time it differs from the one
+   forward in time only where the second derivative of a law jumps at t = 0. */
 VM_API int vmi_osc_walk_start(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const int jumps = vmi_law_has_knot(&p->problem.mass, 0) || vmi_law_has_knot(&p->problem.stiffness, 0);
@@ -11977,8 +11977,9 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, the laws change only by
                                                    rounding errors */
+    const int near_0 = !p->closed && p->Om * VM_FABS(t) < too_short;
     int status = VM_OK;
-    if (!vmi_osc_has_phase(p) || (!p->closed && p->Om * VM_FABS(t) < too_short)) status = vmi_osc_mean_near_0(p, t, mean);
+    if (near_0 || !vmi_osc_has_phase(p)) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;
@@ -12724,8 +12725,8 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 
 /* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
    gives. vmi_osc_walk_along divides the time into panels, which are short where mass or stiffness changes fast; the
-   step is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is at
-   least |t|/8192. If the field change_time of a law is set and shorter than this step, the step is change_time. */
+   step is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is
+   at least |t|/8192. If the field change_time of a law is set and shorter than this step, the step is change_time. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;
@@ -13858,7 +13859,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
    error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed. Also returns
    VM_NOT_INTEGRATED if mass, stiffness or force change as fast as the phase, or if the plan has no phase
-   (vmi_osc_has_phase), because amplitude and phase then do not describe the motion. Where the law of the mass or of the stiffness fails, returns the status of this law. */
+   (vmi_osc_has_phase), because amplitude and phase then do not describe the motion. Where the law of the mass or of the
+   stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_problem *o = &plan->problem;

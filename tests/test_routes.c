@@ -790,7 +790,8 @@ static void test_short_times(void)
         for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++) {
             const vm_real t = R(times[i]);
             CHECK(vm_osc_by_route(&o, route, t, 0, &m) == VM_OK && m.x == 1);
-            check_error("short times", "v", "tol", fabs((double)m.v / times[i] + 1) / by_precision(1e-6, 1e-3), 1, route, times[i]);
+            check_error("short times", "v", "tol", fabs((double)m.v / times[i] + 1) / by_precision(1e-6, 1e-3), 1, route,
+                        times[i]);
             knots[1] = t / 2;
             o.stiffness = vm_law_table(3, knots, values);
             if (t * t > VM_MIN) CHECK(vm_osc_by_route(&o, route, t, 0, &m) == VM_OK && m.x == 1);

@@ -221,7 +221,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
    error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed. Also returns
    VM_NOT_INTEGRATED if mass, stiffness or force change as fast as the phase, or if the plan has no phase
-   (vmi_osc_has_phase), because amplitude and phase then do not describe the motion. Where the law of the mass or of the stiffness fails, returns the status of this law. */
+   (vmi_osc_has_phase), because amplitude and phase then do not describe the motion. Where the law of the mass or of the
+   stiffness fails, returns the status of this law. */
 VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_osc_problem *o = &plan->problem;

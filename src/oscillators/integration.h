@@ -308,8 +308,8 @@ VM_API vm_real vmi_osc_difference(const vm_osc_plan *p, vm_real t, const vm_osc_
 
 /* Computes the longest step, s, with which an integrator misses no change of mass or stiffness that a user's function
    gives. vmi_osc_walk_along divides the time into panels, which are short where mass or stiffness changes fast; the
-   step is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is at
-   least |t|/8192. If the field change_time of a law is set and shorter than this step, the step is change_time. */
+   step is a quarter of the shortest panel. If the mass or the stiffness jumped, this step would be 0; therefore it is
+   at least |t|/8192. If the field change_time of a law is set and shorter than this step, the step is change_time. */
 VM_API int vmi_osc_law_step(const vm_osc_plan *p, vm_real t, vm_real *step)
 {
     const vm_real panel_steps = 4, run_steps = 8192;

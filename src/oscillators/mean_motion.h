@@ -79,8 +79,9 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, the laws change only by
                                                    rounding errors */
+    const int near_0 = !p->closed && p->Om * VM_FABS(t) < too_short;
     int status = VM_OK;
-    if (!vmi_osc_has_phase(p) || (!p->closed && p->Om * VM_FABS(t) < too_short)) status = vmi_osc_mean_near_0(p, t, mean);
+    if (near_0 || !vmi_osc_has_phase(p)) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
     if (status) return status;

@@ -55,7 +55,7 @@ VM_API vmi_osc_wave vmi_osc_wave_of(const vm_osc_plan *p, int route)
 
 /* Returns 0 if the elastic force is so weak that the rate Om of the phase underflows, or that the time in which the
    phase grows by 16 overflows; else 1. For alpha = 5 this is so at an amplitude of 1e-200 m. Such a body moves as if no
-   spring were there: in any time that matters its phase stays as it is, while all changes of mass and stiffness are fast
+   spring were there: in any time that matters its phase stays as it is, and all changes of mass and stiffness are fast
    in comparison. */
 VM_API int vmi_osc_has_phase(const vm_osc_plan *p) { return p->Om >= 8 * VM_MIN; }
 

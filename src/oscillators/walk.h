@@ -369,8 +369,8 @@ VM_API int vmi_osc_start_backward(const vm_osc_plan *p, vmi_osc_mean *mean)
     return VM_OK;
 }
 
-/* Sets *mean to the mean motion at t = 0 with which the way to t begins. Backward in time it is another one than forward
-   only where the second derivative of a law jumps at t = 0. */
+/* Sets *mean to the mean motion at t = 0 with which the way to t begins. Backward in time it differs from the one
+   forward in time only where the second derivative of a law jumps at t = 0. */
 VM_API int vmi_osc_walk_start(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const int jumps = vmi_law_has_knot(&p->problem.mass, 0) || vmi_law_has_knot(&p->problem.stiffness, 0);
