@@ -19418,16 +19418,18 @@ VM_API vm_real vmi_pair_ripple(const vm_pair *p, vm_real mass, vm_real rate, vm_
 
 /* Computes the modes from the motion y. The mean amplitude A solves exact = A ripple(A), where `exact` is the amplitude
    at this instant and `ripple` is the result of vmi_pair_ripple. Three iterations are enough where the ripple is small.
-   Returns VM_DOMAIN where three iterations are not enough, because the ripple is as large as the motion. */
+   Returns VM_NOT_FINITE where the exact amplitude overflows. Returns VM_DOMAIN where three iterations are not enough,
+   because the ripple is as large as the motion. */
 VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm_real *y, vm_real *modes)
 {
     vm_real exact, A, psi, found[VMI_PAIR_MODES];
     int i;
     vmi_slow_phase(y[1] - y[0], y[3] - y[2], 2 * p->k, mass, p->alpha, &exact, &psi);
+    if (!VM_IS_FINITE(exact)) return VM_NOT_FINITE;
     A = exact;
     for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, psi);
     if (exact > 0 && !(VM_FABS(A * vmi_pair_ripple(p, mass, rate, A, psi) - exact) <= exact / 8)) return VM_DOMAIN;
-    if (!(A >= 0) || !VM_IS_FINITE(A)) return VM_DOMAIN;
+    if (!(A >= 0)) return VM_DOMAIN;
     found[VMI_PAIR_A] = A;
     found[VMI_PAIR_PSI] = psi;
     found[VMI_PAIR_SUM] = y[0] + y[1];
@@ -20023,14 +20025,15 @@ typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_para
                                        vm_real theta);
 
 /* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A)
-   = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where A, the exact amplitude minus its
-   ripple, is not positive. */
+   = exact, where `exact` is the amplitude at this instant. Returns VM_NOT_FINITE where the exact amplitude overflows,
+   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {
     vm_real exact, mean;
     int i;
     vmi_slow_phase(motion[0], motion[1], n->k, n->mass, f->alpha, &exact, phi);
+    if (!VM_IS_FINITE(exact)) return VM_NOT_FINITE;
     *phi *= VM_PI / f->pi;
     mean = exact;
     for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, *phi, motion[2]);

@@ -697,6 +697,9 @@ static void test_bad_states(void)
         y[i] = VM_NAN;
         CHECK(vm_forced_to_averaged(&f, 0, y, d) == VM_NOT_FINITE && vm_forced_from_averaged(&f, 0, y, d) == VM_NOT_FINITE);
     }
+    y[0] = y[1] = VM_MAX; /* the amplitude overflows */
+    y[2] = 0;
+    CHECK(vm_forced_to_averaged(&f, 0, y, d) == VM_NOT_FINITE);
     CHECK(vm_forced_curve(&f, 0, 0, s) == VM_DOMAIN);
     f.force = linear(0, 0); /* without a force there is no forced vibration */
     CHECK(vm_forced_steady_states(&f, 0, s) == 0);

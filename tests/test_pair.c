@@ -79,6 +79,15 @@ static void test_below_ripple(void)
     CHECK(vm_pair_at(&p, 1, slow, back) == VM_OK && back[0] - back[0] == 0);
 }
 
+/* An amplitude that overflows is not one below the ripple. */
+static void test_amplitude_overflows(void)
+{
+    const vm_pair p = make_pair(1, 1, 0, linear(1, 0));
+    const vm_real far_apart[4] = {-VM_MAX / 2, VM_MAX / 2, -VM_MAX / 2, VM_MAX / 2};
+    vm_real modes[4] = {7, 7, 7, 7};
+    CHECK(vm_pair_to_averaged(&p, 0, far_apart, modes) == VM_NOT_FINITE && modes[0] == 7);
+}
+
 /* (523), (525), (527): the modes of the example E2, whose bodies start at 1 and 3 */
 static void test_start_of_the_example(void)
 {
@@ -419,6 +428,7 @@ int main(void)
     test_coupled_refusals();
     test_modes();
     test_below_ripple();
+    test_amplitude_overflows();
     test_start_of_the_example();
     test_course_of_the_example();
     test_waveform();

@@ -258,14 +258,15 @@ typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_para
                                        vm_real theta);
 
 /* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A)
-   = exact, where `exact` is the amplitude at this instant. Returns VM_DOMAIN where A, the exact amplitude minus its
-   ripple, is not positive. */
+   = exact, where `exact` is the amplitude at this instant. Returns VM_NOT_FINITE where the exact amplitude overflows,
+   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {
     vm_real exact, mean;
     int i;
     vmi_slow_phase(motion[0], motion[1], n->k, n->mass, f->alpha, &exact, phi);
+    if (!VM_IS_FINITE(exact)) return VM_NOT_FINITE;
     *phi *= VM_PI / f->pi;
     mean = exact;
     for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, *phi, motion[2]);
