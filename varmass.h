@@ -2718,8 +2718,7 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole
    are added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are
    at a distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the
-   rest that is below this error becomes 0. Such a correction changes the rest's angular momentum by the correction times
-   omega.
+   rest that is below this error becomes 0; this changes the rest's angular momentum by up to the error times omega.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
    axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about
@@ -4951,13 +4950,6 @@ typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
 
-/* Returns the largest power of two that is at most x, for x >= 0, or VM_MIN if x is 0 or subnormal. */
-VM_API vm_real vmi_power_of_two(vm_real x)
-{
-    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
-    return x < VM_MIN ? VM_MIN : vmi_from_bits(vmi_to_bits(x) & ~mantissa);
-}
-
 /* The vector a/power in two words, which is exact if power is a power of two */
 VM_API vmi_vec3_two vmi_vec3_two_over(vm_vec3 a, vm_real power)
 {
@@ -4993,7 +4985,7 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
     const vm_real longest = vmi_norm_max(xyz), size = VM_FABS(q.w);
-    const vm_real power = vmi_power_of_two(longest > size ? longest : size);
+    const vm_real power = vmi_power_below(longest > size ? longest : size);
     const vmi_vec3_two v = vmi_vec3_two_over(xyz, power);
     const vmi_vec3_two va = vmi_vec3_two_cross(&v, a), vva = vmi_vec3_two_cross(&v, &va);
     const vm_two w = vmi_two(q.w / power, 0);
@@ -5052,13 +5044,13 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_of_two(trace), where
+/* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_below(trace), where
    `trace` is the trace of the tensor *i. Sets b->omega to 0. If the tensor has no products of inertia, the moments are
    exactly the scaled diagonal entries of the tensor, and the axes are exactly the body axes. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
-    const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
+    const vm_real power = vmi_power_below(vmi_inertia_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
     memset(b, 0, sizeof *b);
@@ -5083,7 +5075,7 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const vm_inertia sizes = vmi_inertia_sizes(i, &same);
-    const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
+    const vm_real power = vmi_power_below(vmi_inertia_trace(i));
     int k;
     for (k = 0; k < 3; k++) {
         const vm_vec3 axis = vmi_vec3_two_high_words(&b->axis[k]);
@@ -5610,7 +5602,7 @@ VM_API vm_two vmi_torque_free_squarable(vm_two x)
    along_body = 0. Returns a status of vm_torque_free_init. */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
-    const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
+    const vm_real power = vmi_power_below(vmi_norm_max(body->omega));
     vm_torque_free m;
     vmi_torque_free_body b;
     vmi_vec3_two omega;

@@ -410,7 +410,7 @@ VM_API vm_two vmi_torque_free_squarable(vm_two x)
    along_body = 0. Returns a status of vm_torque_free_init. */
 VM_API int vmi_torque_free_start(vm_torque_free *motion, const vm_body *body, int along_body, vm_real t0)
 {
-    const vm_real power = vmi_power_of_two(vmi_norm_max(body->omega));
+    const vm_real power = vmi_power_below(vmi_norm_max(body->omega));
     vm_torque_free m;
     vmi_torque_free_body b;
     vmi_vec3_two omega;

@@ -21,7 +21,7 @@
 
 #include <string.h>
 
-#include "../base/bits.h"
+#include "../base/power_of_two.h"
 #include "../base/real.h"
 #include "../base/sums.h"
 #include "../base/words.h"
@@ -34,13 +34,6 @@
 typedef struct VM_TAG(vmi_vec3_two) {
     vm_two x[3];
 } vmi_vec3_two;
-
-/* Returns the largest power of two that is at most x, for x >= 0, or VM_MIN if x is 0 or subnormal. */
-VM_API vm_real vmi_power_of_two(vm_real x)
-{
-    const vmi_bits mantissa = ((vmi_bits)1 << VMI_STORED_DIG) - 1;
-    return x < VM_MIN ? VM_MIN : vmi_from_bits(vmi_to_bits(x) & ~mantissa);
-}
 
 /* The vector a/power in two words, which is exact if power is a power of two */
 VM_API vmi_vec3_two vmi_vec3_two_over(vm_vec3 a, vm_real power)
@@ -77,7 +70,7 @@ VM_API vmi_vec3_two vmi_vec3_two_turned_back(vm_quat q, const vmi_vec3_two *a)
 {
     const vm_vec3 xyz = vmi_quat_vector(q);
     const vm_real longest = vmi_norm_max(xyz), size = VM_FABS(q.w);
-    const vm_real power = vmi_power_of_two(longest > size ? longest : size);
+    const vm_real power = vmi_power_below(longest > size ? longest : size);
     const vmi_vec3_two v = vmi_vec3_two_over(xyz, power);
     const vmi_vec3_two va = vmi_vec3_two_cross(&v, a), vva = vmi_vec3_two_cross(&v, &va);
     const vm_two w = vmi_two(q.w / power, 0);
@@ -136,13 +129,13 @@ VM_API void vmi_torque_free_jacobi_rotation(vm_two a[3][3], vmi_vec3_two *axis, 
     for (k = 0; k < 3; k++) vmi_two_turn(c, s, &axis[p].x[k], &axis[q].x[k]);
 }
 
-/* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_of_two(trace), where
+/* Sets b->axis to the principal axes, and b->moment to the principal moments divided by vmi_power_below(trace), where
    `trace` is the trace of the tensor *i. Sets b->omega to 0. If the tensor has no products of inertia, the moments are
    exactly the scaled diagonal entries of the tensor, and the axes are exactly the body axes. */
 VM_API void vmi_torque_free_principal(const vm_inertia *i, vmi_torque_free_body *b)
 {
     const int most_sweeps = 12; /* more than enough, since the rotations converge quadratically */
-    const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
+    const vm_real power = vmi_power_below(vmi_inertia_trace(i));
     vm_two a[3][3];
     int sweep, p, q, k;
     memset(b, 0, sizeof *b);
@@ -167,7 +160,7 @@ VM_API void vmi_torque_free_clamp_moments(const vm_inertia *i, vmi_torque_free_b
 {
     const vmi_mat3 same = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const vm_inertia sizes = vmi_inertia_sizes(i, &same);
-    const vm_real power = vmi_power_of_two(vmi_inertia_trace(i));
+    const vm_real power = vmi_power_below(vmi_inertia_trace(i));
     int k;
     for (k = 0; k < 3; k++) {
         const vm_vec3 axis = vmi_vec3_two_high_words(&b->axis[k]);
