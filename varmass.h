@@ -1012,7 +1012,8 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 /* base/polynomial.h - all roots of a polynomial
 
    The polynomial is c[0] z^n + c[1] z^(n-1) + ... + c[n] with c[0] != 0. Its roots, real and complex, are found
-   together, by the method of Ehrlich and Aberth.
+   together, by the method of Ehrlich and Aberth. If they have very different sizes, the start values are those of D. A.
+   Bini, Numer. Algorithms 13 (1996), 179.
 
        vm_real c[3] = {1, -3, 2}, re[2], im[2];
        vmi_poly_roots(2, c, re, im); // 2 and 1
@@ -1021,48 +1022,58 @@ VM_API vm_complex vmi_c_over(vm_complex a, vm_complex b)
 #ifndef VARMASS_BASE_POLYNOMIAL_H
 #define VARMASS_BASE_POLYNOMIAL_H
 
+/* The power of two by which a number of this modulus is divided before its powers are computed; 1 for small numbers */
+VM_API vm_real vmi_poly_unit(vm_real modulus) { return vmi_power_below(vmi_larger(modulus, 1)); }
+
 /* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
    for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
    approximations from converging to one root. The correction is 0 if the value of the polynomial is so small that
-   rounding errors alone may have caused it. */
+   rounding errors alone may have caused it. A root above 1 is computed as a multiple of a power of two, the unit, so
+   that its powers do not overflow. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
-    const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
-    const vm_real modulus = vmi_hypot(z.re, z.im);
+    const vm_real unit = vmi_poly_unit(vmi_hypot(re[i], im[i])), modulus = vmi_hypot(re[i], im[i]) / unit;
+    const vm_complex z = vmi_complex(re[i] / unit, im[i] / unit), one = vmi_complex(1, 0);
     vm_complex p = vmi_complex(c[0], 0), slope = vmi_complex(0, 0), others = slope;
-    vm_real size = VM_FABS(c[0]);
+    vm_real size = VM_FABS(c[0]), share = 1;
     int j;
     for (j = 1; j <= n; j++) {
         const vm_complex q = vmi_c_times(slope, z);
+        share /= unit;
         slope = vmi_complex(q.re + p.re, q.im + p.im);
         p = vmi_c_times(p, z);
-        p.re += c[j];
-        size = size * modulus + VM_FABS(c[j]);
+        p.re += c[j] * share;
+        size = size * modulus + VM_FABS(c[j] * share);
     }
-    if (VM_FABS(p.re) + VM_FABS(p.im) <= VM_EPSILON * size) return vmi_complex(0, 0);
+    if (VM_FABS(p.re) + VM_FABS(p.im) <= VM_EPSILON * size && size <= VM_MAX) return vmi_complex(0, 0);
     for (j = 0; j < n; j++) {
-        const vm_complex apart = vmi_complex(z.re - re[j], z.im - im[j]);
-        vm_complex share;
+        const vm_complex apart = vmi_complex((re[i] - re[j]) / unit, (im[i] - im[j]) / unit);
+        vm_complex inverse;
         if (j == i || (apart.re == 0 && apart.im == 0)) continue;
-        share = vmi_c_over(one, apart);
-        others.re += share.re;
-        others.im += share.im;
+        inverse = vmi_c_over(one, apart);
+        others.re += inverse.re;
+        others.im += inverse.im;
     }
     others = vmi_c_times(p, others);
-    return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
+    return vmi_c_scale(unit, vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im)));
 }
 
-/* Returns 1 if the value of the polynomial at the real number x is 0 or so small that rounding errors alone may have
+/* Returns 1 if the value of the polynomial at the number re + i im is 0 or so small that rounding errors alone may have
    caused it, else 0. */
-VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
+VM_API int vmi_poly_is_root(int n, const vm_real *c, vm_real re, vm_real im)
 {
-    vm_real p = c[0], size = VM_FABS(c[0]);
+    const vm_real unit = vmi_poly_unit(vmi_hypot(re, im)), modulus = vmi_hypot(re, im) / unit;
+    const vm_complex z = vmi_complex(re / unit, im / unit);
+    vm_complex p = vmi_complex(c[0], 0);
+    vm_real size = VM_FABS(c[0]), share = 1;
     int j;
     for (j = 1; j <= n; j++) {
-        p = p * x + c[j];
-        size = size * VM_FABS(x) + VM_FABS(c[j]);
+        share /= unit;
+        p = vmi_c_times(p, z);
+        p.re += c[j] * share;
+        size = size * modulus + VM_FABS(c[j] * share);
     }
-    return VM_FABS(p) <= (vm_real)(4 * n) * VM_EPSILON * size;
+    return VM_FABS(p.re) + VM_FABS(p.im) <= (vm_real)(4 * n) * VM_EPSILON * size && size <= VM_MAX;
 }
 
 /* Exchanges the roots i and j. */
@@ -1083,7 +1094,7 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
     const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative distance */
     int i, j, k;
     for (i = 0; i < n; i++) {
-        if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
+        if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_is_root(n, c, re[i], 0)) im[i] = 0;
         for (j = i; j > 0; j--) {
             const vm_real rise = VM_FABS(im[j]) - VM_FABS(im[j - 1]);
             if (rise > 0 || (rise == 0 && re[j] <= re[j - 1])) break;
@@ -1103,18 +1114,44 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
     }
 }
 
-/* Computes the n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times
-   its condition number. */
-VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
+/* Writes m start values on the unit circle. Values symmetric about the real axis would remain symmetric. */
+VM_API void vmi_poly_start_on_circle(int m, vm_real *re, vm_real *im)
+{
+    int i;
+    for (i = 0; i < m; i++) vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
+}
+
+/* Writes m start values on circles as large as the roots, for a polynomial whose last coefficient c[m] is not 0. The
+   upper convex hull of the points (i, ln|c[i]|) consists of straight edges. An edge from i to j belongs to j - i roots,
+   whose moduli are about e^s, where s is the slope of the edge. */
+VM_API void vmi_poly_start_on_circles(int m, const vm_real *c, vm_real *re, vm_real *im)
+{
+    int i, j, k, end;
+    for (i = 0; i < m; i = end) {
+        vm_real steepest = -VM_INFINITY, radius;
+        for (j = end = i + 1; j <= m; j++) {
+            vm_real slope;
+            if (c[j] == 0) continue;
+            slope = (vmi_log(VM_FABS(c[j])).hi - vmi_log(VM_FABS(c[i])).hi) / (vm_real)(j - i);
+            if (slope < steepest) continue;
+            steepest = slope;
+            end = j;
+        }
+        radius = vmi_exp(steepest, 0);
+        vmi_poly_start_on_circle(end - i, re + i, im + i);
+        for (k = i; k < end; k++) {
+            re[k] *= radius;
+            im[k] *= radius;
+        }
+    }
+}
+
+/* Improves m approximate roots until they are at rest. Returns 1 if all of them are roots within rounding errors, else
+   0. */
+VM_API int vmi_poly_iterate(int m, const vm_real *c, vm_real *re, vm_real *im)
 {
     const int most_sweeps = 100;
-    int i, sweep, moving = 1, m = n;
-    while (m > 0 && c[m] == 0) {
-        m--;
-        re[m] = im[m] = 0;
-    }
-    for (i = 0; i < m; i++) /* start values on a circle; values symmetric about the real axis would remain symmetric */
-        vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
+    int i, sweep, moving = 1, are_roots = 1;
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
             const vm_complex step = vmi_poly_step(m, c, re, im, i);
@@ -1123,7 +1160,29 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
             moving += VM_FABS(step.re) + VM_FABS(step.im) > VM_EPSILON * (VM_FABS(re[i]) + VM_FABS(im[i]));
         }
     }
-    vmi_poly_order(n, c, re, im);
+    for (i = 0; i < m; i++) are_roots = are_roots && vmi_poly_is_root(m, c, re[i], im[i]);
+    return are_roots;
+}
+
+/* Computes the n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times
+   its condition number. The first start values lie on the unit circle. From there, the sweeps do not reach several
+   roots below about 1e-20; then other start values follow. If these do not lead to the roots either, the roots become
+   NaN. */
+VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
+{
+    int m = n, found;
+    while (m > 0 && c[m] == 0) {
+        m--;
+        re[m] = im[m] = 0;
+    }
+    vmi_poly_start_on_circle(m, re, im);
+    found = vmi_poly_iterate(m, c, re, im);
+    if (!found) {
+        vmi_poly_start_on_circles(m, c, re, im);
+        found = vmi_poly_iterate(m, c, re, im);
+    }
+    if (found) vmi_poly_order(n, c, re, im);
+    for (; !found && m > 0; m--) re[m - 1] = im[m - 1] = VM_NAN;
 }
 
 #endif
@@ -4326,6 +4385,17 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
+/* Writes the coefficients of the characteristic polynomial. */
+VM_API void vmi_broken_rotor_polynomial(const vmi_broken_rotor_steady *a, vm_real *p)
+{
+    p[0] = 1;
+    p[1] = a->k;
+    p[2] = 2 * (a->w2 + a->O2) + a->G;
+    p[3] = 2 * a->k * (a->w2 + a->O2);
+    p[4] = a->D * a->D + a->G * (a->w2 + 3 * a->O2);
+    p[5] = a->k * (a->D * a->D);
+}
+
 /* Characteristic polynomial of small motions about the steady motion, (81) corrected.
    A small deviation from the steady motion at psi' = Omega (rad/s) is a sum of multiples of exp(l t), where l is a root
    of the polynomial. The array c gets the VM_BROKEN_ROTOR_ROOTS + 1 coefficients of the polynomial, that of the highest
@@ -4345,12 +4415,7 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     if (!c) return VM_BAD_ARGUMENT;
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (status) return status;
-    p[0] = 1;
-    p[1] = a.k;
-    p[2] = 2 * (a.w2 + a.O2) + a.G;
-    p[3] = 2 * a.k * (a.w2 + a.O2);
-    p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2);
-    p[5] = a.k * (a.D * a.D);
+    vmi_broken_rotor_polynomial(&a, p);
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
@@ -4385,29 +4450,51 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
     return rotor->damping > 0 && rotor->s != 0 && Omega != 0 && vmi_broken_rotor_detuning(rotor, Omega) > 0;
 }
 
+/* Divides the coefficients c of the characteristic polynomial by powers of a number, so that its roots become multiples
+   of this number, and returns the number. It is the sum of |Omega|, omega, |k*| and sqrt(|G|), with which no
+   coefficient becomes larger than 10. If a coefficient would underflow, the number is a power of two near the size of
+   the roots without damping; then a large k* makes some coefficients large. `speed` is |Omega|. */
+VM_API vm_real vmi_broken_rotor_scale(const vmi_broken_rotor_steady *a, vm_real speed, vm_real *c)
+{
+    const vm_real root = VM_SQRT(VM_FABS(a->G)), size = speed + VM_SQRT(a->w2) + VM_FABS(a->k) + root;
+    const vm_real unit = vmi_power_below(speed + VM_SQRT(a->w2) + root);
+    vmi_broken_rotor_steady b = *a;
+    vm_real d[VM_BROKEN_ROTOR_ROOTS + 1], power = 1;
+    int i, is_normal = 1;
+    b.w2 /= unit * unit;
+    b.O2 /= unit * unit;
+    b.D /= unit * unit;
+    b.G /= unit * unit;
+    b.k /= unit;
+    vmi_broken_rotor_polynomial(&b, d);
+    for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
+        power /= size;
+        is_normal = is_normal && (d[i] == 0 || (VM_FABS(c[i]) >= VM_MIN && VM_FABS(c[i] * power) >= VM_MIN));
+        c[i] *= power;
+    }
+    if (is_normal && power >= VM_MIN) return size;
+    memcpy(c, d, sizeof d);
+    return unit;
+}
+
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|. In a pair of
-   conjugate roots, the root with im > 0 comes first. If each coefficient changed by the relative amount eps, each root
-   would change; the error of a root is at most twice this change. This holds even near resonance for the smallest
-   root, which is there smaller than the largest root by many orders of magnitude. The statuses are those of
-   vm_broken_rotor_characteristic. */
+   conjugate roots, the root with im > 0 comes first. If each term of the coefficients, such as D^2 or G w^2, changed by
+   the relative amount eps, each root would change; the error of a root is at most three times this change. This holds
+   for |k*|/w from 1e-30 to 1e30 (float: 1e-12 to 1e12), even if the smallest root is many orders of magnitude smaller
+   than the largest one. The real part of a root may have the wrong sign if it is much smaller than the imaginary part;
+   vm_broken_rotor_is_stable is always right. The statuses are those of vm_broken_rotor_characteristic; VM_NOT_FINITE
+   also means that no roots were found. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
-    vm_real c[VM_BROKEN_ROTOR_ROOTS + 1], x[VM_BROKEN_ROTOR_ROOTS], y[VM_BROKEN_ROTOR_ROOTS], size, power;
+    vm_real c[VM_BROKEN_ROTOR_ROOTS + 1], x[VM_BROKEN_ROTOR_ROOTS], y[VM_BROKEN_ROTOR_ROOTS], size;
     int i, status;
     if (!re || !im) return VM_BAD_ARGUMENT;
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* The roots are computed as multiples of `size`. No coefficient is then larger than 10, so that sums do not
-       overflow. */
-    size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
-    power = 1 / size;
-    for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
-        c[i] *= power;
-        power /= size;
-    }
+    size = vmi_broken_rotor_scale(&a, VM_FABS(Omega), c);
     if (!vmi_all_finite(VM_BROKEN_ROTOR_ROOTS + 1, c)) return VM_NOT_FINITE;
     vmi_poly_roots(VM_BROKEN_ROTOR_ROOTS, c, x, y);
     for (i = 0; i < VM_BROKEN_ROTOR_ROOTS; i++) {
@@ -18852,9 +18939,9 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* A power of two near S = sqrt(g^2 + m K_e); the arguments are g (gyro), m (mass) and K_e (stiffness). The frequency and
-   the growth of a whirl do not change if g, m, m', K_e, its slope and the loads are all divided by one number. After
-   the division by this power of two, which is exact, g^2 + m K_e neither overflows nor underflows. */
+/* A power of two near S = sqrt(g^2 + m K_e); the arguments are g (gyro), m (mass) and K_e (stiffness). The frequency
+   and the growth of a whirl do not change if g, m, m', K_e, its slope and the loads are all divided by one number.
+   After the division by this power of two, which is exact, g^2 + m K_e neither overflows nor underflows. */
 VM_API vm_real vmi_jeffcott_unit(vm_real gyro, vm_real mass, vm_real stiffness)
 {
     return vmi_power_below(vmi_larger(VM_SQRT(mass) * VM_SQRT(VM_FABS(stiffness)), VM_FABS(gyro)));

@@ -377,6 +377,99 @@ static void test_eigenvalues_near_resonance(void)
     }
 }
 
+/* For a very large damping the roots tend to -k* and to +-i (w + O) and +-i (w - O); the deviations are of the order
+   1/k*. */
+static void test_eigenvalues_of_large_damping(void)
+{
+    const double most = is_float ? 1e30 : 1e100;
+    double k;
+    for (k = 1 / eps; k < most; k *= 7) {
+        const double w = uniform(0.5, 2), Omega = w * uniform(1.2, 3), k_star = (double)R(k) / 0.5;
+        const vm_broken_rotor r = {2, R(0.5), R(2 * w * w), R(k), 0, R(0.25)};
+        vm_real re[5] = {0}, im[5] = {0};
+        CHECK(vm_broken_rotor_eigenvalues(&r, R(Omega), re, im) == VM_OK && im[0] == 0);
+        check_error("large damping", "-k", "eps", fabs((double)re[0] / -k_star - 1) / eps, 4, k, 0);
+        check_error("large damping", "w - O", "eps", fabs((double)im[1] / (Omega - w) - 1) / eps, 32, k, Omega);
+        check_error("large damping", "w + O", "eps", fabs((double)im[3] / (Omega + w) - 1) / eps, 32, k, Omega);
+        check_error("large damping", "real part", "eps", (double)VM_FABS(re[1]) / (Omega - w) / eps, 32, k, Omega);
+        check_error("large damping", "real part", "eps", (double)VM_FABS(re[3]) / (Omega + w) / eps, 32, k, Omega);
+    }
+}
+
+/* The rotor {1, 1, 1, damping, 0, 0.5} at Omega = 0.5; the roots and their condition numbers by mpmath, with 60 digits */
+static void test_eigenvalues_by_damping(void)
+{
+    static const struct {
+        double damping, re[5], im[5], condition[5];
+    } rows[] = {
+        {1e-12,
+         {-4.909090909090909e-13, -2.3177035754285085e-13, -2.3177035754285085e-13, -2.2775097002603694e-14,
+          -2.2775097002603694e-14},
+         {0.0, 0.69907506001024645, -0.69907506001024645, 1.5312176180429102, -1.5312176180429102},
+         {9.8182e-13, 1.0672, 1.0672, 2.3376, 2.3376}},
+        {0.001,
+         {-0.00049090932417326606, -0.00023177025209953731, -0.00023177025209953731, -2.2775085813829671e-5,
+          -2.2775085813829671e-5},
+         {0.0, 0.69907486281113778, -0.69907486281113778, 1.531217601861688, -1.531217601861688},
+         {0.00098182, 1.0684, 1.0684, 2.339, 2.339}},
+        {1e+06,
+         {-999999.99999966667, -1.2499999999999881e-7, -1.2499999999999881e-7, -4.1666666666598416e-8,
+          -4.1666666666598416e-8},
+         {0.0, 0.50000000000004948, -0.50000000000004948, 1.5000000000000541, -1.5000000000000541},
+         {2.0e+6, 0.625, 0.625, 1.875, 1.875}},
+        {1e+09,
+         {-1000000000.0, -1.25e-10, -1.25e-10, -4.1666666666666667e-11, -4.1666666666666667e-11},
+         {0.0, 0.5, -0.5, 1.5, -1.5},
+         {2.0e+9, 0.625, 0.625, 1.875, 1.875}},
+        {1e+12,
+         {-1000000000000.0, -1.25e-13, -1.25e-13, -4.1666666666666667e-14, -4.1666666666666667e-14},
+         {0.0, 0.5, -0.5, 1.5, -1.5},
+         {2.0e+12, 0.625, 0.625, 1.875, 1.875}},
+        {1e+24,
+         {-9.9999999999999998e+23, -1.25e-25, -1.25e-25, -4.1666666666666667e-26, -4.1666666666666667e-26},
+         {0.0, 0.5, -0.5, 1.5, -1.5},
+         {2.0e+24, 0.625, 0.625, 1.875, 1.875}},
+        {1e+29,
+         {-9.9999999999999991e+28, -1.2500000000000001e-30, -1.2500000000000001e-30, -4.166666666666667e-31,
+          -4.166666666666667e-31},
+         {0.0, 0.5, -0.5, 1.5, -1.5},
+         {2.0e+29, 0.625, 0.625, 1.875, 1.875}},
+    };
+    size_t i;
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const vm_broken_rotor r = {1, 1, 1, R(rows[i].damping), 0, R(0.5)};
+        vm_real re[5], im[5];
+        if (is_float && rows[i].damping > 1e12) continue;
+        CHECK(vm_broken_rotor_eigenvalues(&r, R(0.5), re, im) == VM_OK);
+        check_roots("damping", re, im, rows[i].re, rows[i].im, rows[i].condition, rows[i].damping);
+    }
+}
+
+/* Roots of very different sizes: 1 and -3, and three roots near 1e-30 (float 1e-9), then large ones; a polynomial that
+   is not finite has no roots. */
+static void test_polynomial_sizes(void)
+{
+    const vm_real small = is_float ? R(9.313225746154785e-10) : R(7.888609052210118e-31), s = small; /* 2^-30, 2^-100 */
+    const vm_real falling[6] = {1, 2 - 6 * s, -3 - 12 * s, 18 * s + 22 * s * s, -33 * s * s, 18 * s * s * s};
+    const vm_real expected[5] = {1, 3 * s, 2 * s, s, -3}, infinite[3] = {1, VM_INFINITY, 1};
+    vm_real rising[6], re[5], im[5];
+    int k;
+    vmi_poly_roots(5, falling, re, im);
+    for (k = 0; k < 5; k++) {
+        CHECK(im[k] == 0);
+        check_error("roots", "of all sizes", "eps", fabs((double)(re[k] / expected[k]) - 1) / eps, 100, k, 0);
+    }
+    for (k = 0; k < 6; k++) rising[k] = falling[5 - k] / falling[5];
+    vmi_poly_roots(5, rising, re, im);
+    for (k = 0; k < 5; k++) {
+        const vm_real inverse = 1 / expected[k < 4 ? 3 - k : 4];
+        CHECK(im[k] == 0);
+        check_error("roots", "of all sizes", "eps", fabs((double)(re[k] / inverse) - 1) / eps, 100, k, 1);
+    }
+    vmi_poly_roots(2, infinite, re, im);
+    CHECK(re[0] != re[0] && im[1] != im[1]);
+}
+
 /* The polynomial solver where the rotor does not lead: z^3, two complex roots that are almost one real root, and a real
    root between two complex ones: (z - 1)((z - 1)^2 + gap^2) */
 static void test_polynomial_solver(void)
@@ -536,6 +629,9 @@ int main(void)
     test_printed_polynomial();
     test_eigenvalues_table();
     test_eigenvalues_near_resonance();
+    test_eigenvalues_of_large_damping();
+    test_eigenvalues_by_damping();
+    test_polynomial_sizes();
     test_polynomial_solver();
     test_stability();
     test_stability_domain();

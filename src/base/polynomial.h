@@ -1,7 +1,8 @@
 /* base/polynomial.h - all roots of a polynomial
 
    The polynomial is c[0] z^n + c[1] z^(n-1) + ... + c[n] with c[0] != 0. Its roots, real and complex, are found
-   together, by the method of Ehrlich and Aberth.
+   together, by the method of Ehrlich and Aberth. If they have very different sizes, the start values are those of D. A.
+   Bini, Numer. Algorithms 13 (1996), 179.
 
        vm_real c[3] = {1, -3, 2}, re[2], im[2];
        vmi_poly_roots(2, c, re, im); // 2 and 1
@@ -15,48 +16,58 @@
 #include "hypot.h"
 #include "real.h"
 
+/* The power of two by which a number of this modulus is divided before its powers are computed; 1 for small numbers */
+VM_API vm_real vmi_poly_unit(vm_real modulus) { return vmi_power_below(vmi_larger(modulus, 1)); }
+
 /* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
    for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
    approximations from converging to one root. The correction is 0 if the value of the polynomial is so small that
-   rounding errors alone may have caused it. */
+   rounding errors alone may have caused it. A root above 1 is computed as a multiple of a power of two, the unit, so
+   that its powers do not overflow. */
 VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
 {
-    const vm_complex z = vmi_complex(re[i], im[i]), one = vmi_complex(1, 0);
-    const vm_real modulus = vmi_hypot(z.re, z.im);
+    const vm_real unit = vmi_poly_unit(vmi_hypot(re[i], im[i])), modulus = vmi_hypot(re[i], im[i]) / unit;
+    const vm_complex z = vmi_complex(re[i] / unit, im[i] / unit), one = vmi_complex(1, 0);
     vm_complex p = vmi_complex(c[0], 0), slope = vmi_complex(0, 0), others = slope;
-    vm_real size = VM_FABS(c[0]);
+    vm_real size = VM_FABS(c[0]), share = 1;
     int j;
     for (j = 1; j <= n; j++) {
         const vm_complex q = vmi_c_times(slope, z);
+        share /= unit;
         slope = vmi_complex(q.re + p.re, q.im + p.im);
         p = vmi_c_times(p, z);
-        p.re += c[j];
-        size = size * modulus + VM_FABS(c[j]);
+        p.re += c[j] * share;
+        size = size * modulus + VM_FABS(c[j] * share);
     }
-    if (VM_FABS(p.re) + VM_FABS(p.im) <= VM_EPSILON * size) return vmi_complex(0, 0);
+    if (VM_FABS(p.re) + VM_FABS(p.im) <= VM_EPSILON * size && size <= VM_MAX) return vmi_complex(0, 0);
     for (j = 0; j < n; j++) {
-        const vm_complex apart = vmi_complex(z.re - re[j], z.im - im[j]);
-        vm_complex share;
+        const vm_complex apart = vmi_complex((re[i] - re[j]) / unit, (im[i] - im[j]) / unit);
+        vm_complex inverse;
         if (j == i || (apart.re == 0 && apart.im == 0)) continue;
-        share = vmi_c_over(one, apart);
-        others.re += share.re;
-        others.im += share.im;
+        inverse = vmi_c_over(one, apart);
+        others.re += inverse.re;
+        others.im += inverse.im;
     }
     others = vmi_c_times(p, others);
-    return vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im));
+    return vmi_c_scale(unit, vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im)));
 }
 
-/* Returns 1 if the value of the polynomial at the real number x is 0 or so small that rounding errors alone may have
+/* Returns 1 if the value of the polynomial at the number re + i im is 0 or so small that rounding errors alone may have
    caused it, else 0. */
-VM_API int vmi_poly_root_is_real(int n, const vm_real *c, vm_real x)
+VM_API int vmi_poly_is_root(int n, const vm_real *c, vm_real re, vm_real im)
 {
-    vm_real p = c[0], size = VM_FABS(c[0]);
+    const vm_real unit = vmi_poly_unit(vmi_hypot(re, im)), modulus = vmi_hypot(re, im) / unit;
+    const vm_complex z = vmi_complex(re / unit, im / unit);
+    vm_complex p = vmi_complex(c[0], 0);
+    vm_real size = VM_FABS(c[0]), share = 1;
     int j;
     for (j = 1; j <= n; j++) {
-        p = p * x + c[j];
-        size = size * VM_FABS(x) + VM_FABS(c[j]);
+        share /= unit;
+        p = vmi_c_times(p, z);
+        p.re += c[j] * share;
+        size = size * modulus + VM_FABS(c[j] * share);
     }
-    return VM_FABS(p) <= (vm_real)(4 * n) * VM_EPSILON * size;
+    return VM_FABS(p.re) + VM_FABS(p.im) <= (vm_real)(4 * n) * VM_EPSILON * size && size <= VM_MAX;
 }
 
 /* Exchanges the roots i and j. */
@@ -77,7 +88,7 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
     const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative distance */
     int i, j, k;
     for (i = 0; i < n; i++) {
-        if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_root_is_real(n, c, re[i])) im[i] = 0;
+        if (VM_FABS(im[i]) <= tolerance * VM_FABS(re[i]) && vmi_poly_is_root(n, c, re[i], 0)) im[i] = 0;
         for (j = i; j > 0; j--) {
             const vm_real rise = VM_FABS(im[j]) - VM_FABS(im[j - 1]);
             if (rise > 0 || (rise == 0 && re[j] <= re[j - 1])) break;
@@ -97,18 +108,44 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
     }
 }
 
-/* Computes the n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times
-   its condition number. */
-VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
+/* Writes m start values on the unit circle. Values symmetric about the real axis would remain symmetric. */
+VM_API void vmi_poly_start_on_circle(int m, vm_real *re, vm_real *im)
+{
+    int i;
+    for (i = 0; i < m; i++) vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
+}
+
+/* Writes m start values on circles as large as the roots, for a polynomial whose last coefficient c[m] is not 0. The
+   upper convex hull of the points (i, ln|c[i]|) consists of straight edges. An edge from i to j belongs to j - i roots,
+   whose moduli are about e^s, where s is the slope of the edge. */
+VM_API void vmi_poly_start_on_circles(int m, const vm_real *c, vm_real *re, vm_real *im)
+{
+    int i, j, k, end;
+    for (i = 0; i < m; i = end) {
+        vm_real steepest = -VM_INFINITY, radius;
+        for (j = end = i + 1; j <= m; j++) {
+            vm_real slope;
+            if (c[j] == 0) continue;
+            slope = (vmi_log(VM_FABS(c[j])).hi - vmi_log(VM_FABS(c[i])).hi) / (vm_real)(j - i);
+            if (slope < steepest) continue;
+            steepest = slope;
+            end = j;
+        }
+        radius = vmi_exp(steepest, 0);
+        vmi_poly_start_on_circle(end - i, re + i, im + i);
+        for (k = i; k < end; k++) {
+            re[k] *= radius;
+            im[k] *= radius;
+        }
+    }
+}
+
+/* Improves m approximate roots until they are at rest. Returns 1 if all of them are roots within rounding errors, else
+   0. */
+VM_API int vmi_poly_iterate(int m, const vm_real *c, vm_real *re, vm_real *im)
 {
     const int most_sweeps = 100;
-    int i, sweep, moving = 1, m = n;
-    while (m > 0 && c[m] == 0) {
-        m--;
-        re[m] = im[m] = 0;
-    }
-    for (i = 0; i < m; i++) /* start values on a circle; values symmetric about the real axis would remain symmetric */
-        vmi_sincos(VM_C(0.4) + 2 * VM_PI * (vm_real)i / (vm_real)m, &im[i], &re[i]);
+    int i, sweep, moving = 1, are_roots = 1;
     for (sweep = 0; sweep < most_sweeps && moving; sweep++) {
         for (moving = i = 0; i < m; i++) {
             const vm_complex step = vmi_poly_step(m, c, re, im, i);
@@ -117,7 +154,29 @@ VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
             moving += VM_FABS(step.re) + VM_FABS(step.im) > VM_EPSILON * (VM_FABS(re[i]) + VM_FABS(im[i]));
         }
     }
-    vmi_poly_order(n, c, re, im);
+    for (i = 0; i < m; i++) are_roots = are_roots && vmi_poly_is_root(m, c, re[i], im[i]);
+    return are_roots;
+}
+
+/* Computes the n roots (re[i], im[i]) of a polynomial of degree n. The error of a simple root is a few n eps times
+   its condition number. The first start values lie on the unit circle. From there, the sweeps do not reach several
+   roots below about 1e-20; then other start values follow. If these do not lead to the roots either, the roots become
+   NaN. */
+VM_API void vmi_poly_roots(int n, const vm_real *c, vm_real *re, vm_real *im)
+{
+    int m = n, found;
+    while (m > 0 && c[m] == 0) {
+        m--;
+        re[m] = im[m] = 0;
+    }
+    vmi_poly_start_on_circle(m, re, im);
+    found = vmi_poly_iterate(m, c, re, im);
+    if (!found) {
+        vmi_poly_start_on_circles(m, c, re, im);
+        found = vmi_poly_iterate(m, c, re, im);
+    }
+    if (found) vmi_poly_order(n, c, re, im);
+    for (; !found && m > 0; m--) re[m - 1] = im[m - 1] = VM_NAN;
 }
 
 #endif

@@ -84,6 +84,17 @@ VM_API int vmi_broken_rotor_about_steady(const vm_broken_rotor *r, vm_real Omega
 
 enum { VM_BROKEN_ROTOR_ROOTS = 5 /* degree of the characteristic polynomial */ };
 
+/* Writes the coefficients of the characteristic polynomial. */
+VM_API void vmi_broken_rotor_polynomial(const vmi_broken_rotor_steady *a, vm_real *p)
+{
+    p[0] = 1;
+    p[1] = a->k;
+    p[2] = 2 * (a->w2 + a->O2) + a->G;
+    p[3] = 2 * a->k * (a->w2 + a->O2);
+    p[4] = a->D * a->D + a->G * (a->w2 + 3 * a->O2);
+    p[5] = a->k * (a->D * a->D);
+}
+
 /* Characteristic polynomial of small motions about the steady motion, (81) corrected.
    A small deviation from the steady motion at psi' = Omega (rad/s) is a sum of multiples of exp(l t), where l is a root
    of the polynomial. The array c gets the VM_BROKEN_ROTOR_ROOTS + 1 coefficients of the polynomial, that of the highest
@@ -103,12 +114,7 @@ VM_API int vm_broken_rotor_characteristic(const vm_broken_rotor *rotor, vm_real 
     if (!c) return VM_BAD_ARGUMENT;
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (status) return status;
-    p[0] = 1;
-    p[1] = a.k;
-    p[2] = 2 * (a.w2 + a.O2) + a.G;
-    p[3] = 2 * a.k * (a.w2 + a.O2);
-    p[4] = a.D * a.D + a.G * (a.w2 + 3 * a.O2);
-    p[5] = a.k * (a.D * a.D);
+    vmi_broken_rotor_polynomial(&a, p);
     return vmi_copy_if_finite(VM_BROKEN_ROTOR_ROOTS + 1, p, c);
 }
 
@@ -143,29 +149,51 @@ VM_API int vm_broken_rotor_is_stable(const vm_broken_rotor *rotor, vm_real Omega
     return rotor->damping > 0 && rotor->s != 0 && Omega != 0 && vmi_broken_rotor_detuning(rotor, Omega) > 0;
 }
 
+/* Divides the coefficients c of the characteristic polynomial by powers of a number, so that its roots become multiples
+   of this number, and returns the number. It is the sum of |Omega|, omega, |k*| and sqrt(|G|), with which no
+   coefficient becomes larger than 10. If a coefficient would underflow, the number is a power of two near the size of
+   the roots without damping; then a large k* makes some coefficients large. `speed` is |Omega|. */
+VM_API vm_real vmi_broken_rotor_scale(const vmi_broken_rotor_steady *a, vm_real speed, vm_real *c)
+{
+    const vm_real root = VM_SQRT(VM_FABS(a->G)), size = speed + VM_SQRT(a->w2) + VM_FABS(a->k) + root;
+    const vm_real unit = vmi_power_below(speed + VM_SQRT(a->w2) + root);
+    vmi_broken_rotor_steady b = *a;
+    vm_real d[VM_BROKEN_ROTOR_ROOTS + 1], power = 1;
+    int i, is_normal = 1;
+    b.w2 /= unit * unit;
+    b.O2 /= unit * unit;
+    b.D /= unit * unit;
+    b.G /= unit * unit;
+    b.k /= unit;
+    vmi_broken_rotor_polynomial(&b, d);
+    for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
+        power /= size;
+        is_normal = is_normal && (d[i] == 0 || (VM_FABS(c[i]) >= VM_MIN && VM_FABS(c[i] * power) >= VM_MIN));
+        c[i] *= power;
+    }
+    if (is_normal && power >= VM_MIN) return size;
+    memcpy(c, d, sizeof d);
+    return unit;
+}
+
 /* Roots re + i im of the characteristic polynomial, 1/s.
    re and im are arrays of VM_BROKEN_ROTOR_ROOTS numbers. The roots are sorted by increasing |im|. In a pair of
-   conjugate roots, the root with im > 0 comes first. If each coefficient changed by the relative amount eps, each root
-   would change; the error of a root is at most twice this change. This holds even near resonance for the smallest
-   root, which is there smaller than the largest root by many orders of magnitude. The statuses are those of
-   vm_broken_rotor_characteristic. */
+   conjugate roots, the root with im > 0 comes first. If each term of the coefficients, such as D^2 or G w^2, changed by
+   the relative amount eps, each root would change; the error of a root is at most three times this change. This holds
+   for |k*|/w from 1e-30 to 1e30 (float: 1e-12 to 1e12), even if the smallest root is many orders of magnitude smaller
+   than the largest one. The real part of a root may have the wrong sign if it is much smaller than the imaginary part;
+   vm_broken_rotor_is_stable is always right. The statuses are those of vm_broken_rotor_characteristic; VM_NOT_FINITE
+   also means that no roots were found. */
 VM_API int vm_broken_rotor_eigenvalues(const vm_broken_rotor *rotor, vm_real Omega, vm_real *re, vm_real *im)
 {
     vmi_broken_rotor_steady a;
-    vm_real c[VM_BROKEN_ROTOR_ROOTS + 1], x[VM_BROKEN_ROTOR_ROOTS], y[VM_BROKEN_ROTOR_ROOTS], size, power;
+    vm_real c[VM_BROKEN_ROTOR_ROOTS + 1], x[VM_BROKEN_ROTOR_ROOTS], y[VM_BROKEN_ROTOR_ROOTS], size;
     int i, status;
     if (!re || !im) return VM_BAD_ARGUMENT;
     status = vmi_broken_rotor_about_steady(rotor, Omega, &a);
     if (!status) status = vm_broken_rotor_characteristic(rotor, Omega, c);
     if (status) return status;
-    /* The roots are computed as multiples of `size`. No coefficient is then larger than 10, so that sums do not
-       overflow. */
-    size = VM_FABS(Omega) + VM_SQRT(a.w2) + VM_FABS(a.k) + VM_SQRT(VM_FABS(a.G));
-    power = 1 / size;
-    for (i = 1; i <= VM_BROKEN_ROTOR_ROOTS; i++) {
-        c[i] *= power;
-        power /= size;
-    }
+    size = vmi_broken_rotor_scale(&a, VM_FABS(Omega), c);
     if (!vmi_all_finite(VM_BROKEN_ROTOR_ROOTS + 1, c)) return VM_NOT_FINITE;
     vmi_poly_roots(VM_BROKEN_ROTOR_ROOTS, c, x, y);
     for (i = 0; i < VM_BROKEN_ROTOR_ROOTS; i++) {

@@ -322,9 +322,9 @@ VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 
 /* -- Strong nonlinearity: nearly circular whirl -- */
 
-/* A power of two near S = sqrt(g^2 + m K_e); the arguments are g (gyro), m (mass) and K_e (stiffness). The frequency and
-   the growth of a whirl do not change if g, m, m', K_e, its slope and the loads are all divided by one number. After
-   the division by this power of two, which is exact, g^2 + m K_e neither overflows nor underflows. */
+/* A power of two near S = sqrt(g^2 + m K_e); the arguments are g (gyro), m (mass) and K_e (stiffness). The frequency
+   and the growth of a whirl do not change if g, m, m', K_e, its slope and the loads are all divided by one number.
+   After the division by this power of two, which is exact, g^2 + m K_e neither overflows nor underflows. */
 VM_API vm_real vmi_jeffcott_unit(vm_real gyro, vm_real mass, vm_real stiffness)
 {
     return vmi_power_below(vmi_larger(VM_SQRT(mass) * VM_SQRT(VM_FABS(stiffness)), VM_FABS(gyro)));
