@@ -14,6 +14,7 @@
 #include "complex.h"
 #include "elementary.h"
 #include "hypot.h"
+#include "power_of_two.h"
 #include "real.h"
 
 /* The power of two by which a number of this modulus is divided before its powers are computed; 1 for small numbers */
