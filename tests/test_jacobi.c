@@ -713,11 +713,13 @@ static void test_period_table(void)
             const double share = i < 64 ? i / 64. : 1 - 4 * (double)VM_EPSILON;
             const vm_real start = (vm_real)ldexp(1 + ((row + 3) % 8 + share) / 8, (row + 3) / 8 - 3);
             const vm_real m1 = start * start, kp = VM_SQRT(m1);
-            const vmi_period K = vmi_period_by_table(m1, 0, kp);
             const vmi_three wanted = vmi_K_three_words(m1, 0);
-            const vm_real error = (((K.head - wanted.hi) + K.middle) + (K.low - wanted.mid)) - wanted.lo;
-            if (VMI_IN_PERIOD_TABLE(kp))
-                check_error("K", "by its table", "2^-71 or 2^-36", fabs((double)(error / wanted.hi)) / unit, 1, (double)kp, row);
+            vmi_period K;
+            vm_real error;
+            if (!VMI_IN_PERIOD_TABLE(kp)) continue; /* rounded up to the end of the table */
+            K = vmi_period_by_table(m1, 0, kp);
+            error = (((K.head - wanted.hi) + K.middle) + (K.low - wanted.mid)) - wanted.lo;
+            check_error("K", "by its table", "2^-71 or 2^-36", fabs((double)(error / wanted.hi)) / unit, 1, (double)kp, row);
         }
 }
 
