@@ -322,8 +322,8 @@ VM_API void vmi_osc_find_p_rates(const vmi_osc_course *c, const vmi_osc_step *s,
 }
 
 /* Finds the state at each node from the present rates of the step. While the iteration has not converged, the rates may
-   put a node before the start of the step or beyond c->stop. There the laws need not have values; the function takes the
-   state at the start of the step or at c->stop instead. */
+   put a node before the start of the step or beyond c->stop. There the laws need not have values. Therefore the state
+   at the start of the step or at c->stop is taken instead. */
 VM_API int vmi_osc_find_nodes(const vmi_osc_course *c, const vmi_osc_step *s, vmi_step_node *at)
 {
     const vm_osc_problem *o = &c->plan->problem;
