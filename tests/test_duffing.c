@@ -1,6 +1,7 @@
 /* Duffing's oscillator with constant mass: motions, periods and actions against numbers of 20 digits by Taylor series
    and quadrature (tests/gen/duffing.py), conservation of energy, the limits of a linear and of a purely cubic spring,
-   the separatrix, and what is refused. test_odd_force.c tests its motion with slow mass, stiffness and damping. */
+   the separatrix, motions next to it, and what is refused. test_odd_force.c tests its motion with slow mass, stiffness
+   and damping. */
 #include "../varmass.h"
 #include "check.h"
 #include "slow_vibrations.h"
@@ -128,6 +129,99 @@ static void test_separatrix(void)
     CHECK(is_nan(x) && is_nan(v));
 }
 
+/* Starts next to x = 0, between two wells, whose energy is smaller than the rounding errors of the orbit's size:
+   c1, c3, x0, v0, t, x, v and the period, by Taylor series of 60 digits. The errors are those that the comment of
+   vm_duffing_exact_from allows. */
+static void test_between_the_wells(void)
+{
+    static const double table[][8] = {
+        {-2, 1, 0, 0x1p-33, 1, 1.59290953540311972e-10, 2.53573939740724264e-10, 71.558844473203945},
+        {-1, 1, 0, 0x1p-30, 40, 7.29831993734444254e-8, -7.29891413329538559e-8, 90.1091334727928902},
+        {-1, 1, 0x1p-30, 0, -50, 6.54434975123769517e-8, -6.54368703783615456e-8, 45.0545667363964451},
+        {-2, 1, 0x1p-40, 0x1p-37, 0.25, 2.82405528208420002e-12, 8.19974234051430771e-12, 79.4458090606964938},
+        {-2, 1, -0x1p-40, 0x1p-37, 30, 2.83597741664928295e-6, -4.01067772521159114e-6, 79.4458090606964938},
+        {-1, 2, 0x3p-20, 0x2p-20, 45, 0.16777569105709722, -0.165397503542550261, 28.8890380323053875},
+        {-1, 2, -0x3p-20, -0x2p-20, 45, -0.16777569105709722, 0.165397503542550261, 28.8890380323053875},
+        {-1, 0.5, 0x3p-20, -0x4p-20, 30, -2.63299665637980012e-6, 3.64679781519656499e-6, 59.8777203133355611},
+        {-3, 1, 0x1p-60, 0x2p-60, -40, -2.91571336779627406e-10, -5.05016369333090743e-10, 102.584314223468896},
+        {-1, 1, 0x1p-24, -0x3p-25, 12, -0.00242523359846563111, -0.00242523003321928597, 73.0273140367256699},
+    };
+    size_t i;
+    for (i = 0; i < sizeof table / sizeof *table; i++) {
+        const double c1 = table[i][0], x0 = table[i][2], v0 = table[i][3], t = table[i][4], lambda = sqrt(-c1);
+        const double r = (v0 * v0 - c1 * x0 * x0) / fabs(v0 * v0 + c1 * x0 * x0);
+        const double size = fmax(fabs(table[i][5]), fabs(table[i][6]) / lambda);
+        const double allowed = r * (1 + lambda * (fabs(t) + table[i][7] / 4));
+        const vm_odd_force force = vm_duffing_force(R(c1), R(table[i][1]));
+        vm_real x, v;
+        vm_duffing_exact_from(R(t), R(x0), R(v0), R(c1), R(table[i][1]), &x, &v);
+        check_error("tiny energy", "x", "eps", ERROR_EPS(x, table[i][5], 0, size) / allowed, 16, x0, v0);
+        check_error("tiny energy", "v", "eps", ERROR_EPS(v, table[i][6], 0, lambda * size) / allowed, 16, x0, v0);
+        CHECK(vm_odd_exact_from(&force, R(t), R(x0), R(v0), &x, &v) == VM_OK);
+        check_error("tiny energy", "odd x", "eps", ERROR_EPS(x, table[i][5], 0, size) / allowed, 16, x0, v0);
+        check_error("tiny energy", "odd v", "eps", ERROR_EPS(v, table[i][6], 0, lambda * size) / allowed, 16, x0, v0);
+        if (v0 == 0) near_eps("tiny energy", "period", (double)vm_duffing_period(R(x0), R(c1), R(table[i][1])), table[i][7], 8);
+    }
+}
+
+/* The period of a motion in a well from rest close to x = 0, where 1 - m is small but no digits of c1 + c3 x0^2 and c1
+   + c3 x0^2/2 are lost; by mpmath */
+static void test_periods_from_next_to_0(void)
+{
+    near_eps("from rest", "period", (double)vm_duffing_period(R(0x1p-6), -1, R(0.125)), 13.8630793741472493, 8);
+    near_eps("from rest", "period", (double)vm_duffing_period(R(0x1p-9), -1, 1), 15.9424050976638717, 8);
+    near_eps("from rest", "period", (double)vm_duffing_period(R(0x1p-20), -2, 1), 22.545937299780189, 8);
+    near_eps("from rest", "action", (double)vm_duffing_action(R(0x1p-20), -2, 1), 0.600210877434704821, 8);
+}
+
+/* Next to x = 0 the motion is linear, also where the squares of x0 and v0 underflow. */
+static void test_linear_between_the_wells(void)
+{
+    int i;
+    for (i = 0; i < 400; i++) {
+        const double c1 = uniform(-4, -0.25), lambda = sqrt(-c1), t = uniform(-2, 2), c3 = uniform(0.25, 4);
+        const double tiny = ldexp(1, i % 2 ? -20 - i % 40 : is_float ? -80 : -600);
+        const double x0 = tiny * uniform(-1, 1) * (i % 3 != 0), v0 = tiny * uniform(-1, 1) * (i % 3 != 1);
+        const double want_x = x0 * cosh(lambda * t) + v0 / lambda * sinh(lambda * t);
+        const double want_v = v0 * cosh(lambda * t) + x0 * lambda * sinh(lambda * t);
+        const double size = fabs(x0) + fabs(v0) / lambda, grown = size * cosh(lambda * t);
+        const double nonlinear = c3 * 64 * (tiny * tiny) * cosh(4 * t) * cosh(4 * t) / (c1 * c1 * eps);
+        const double allowed = 4 - 4 * log(tiny);
+        vm_real x, v;
+        vm_duffing_exact_from(R(t), R(x0), R(v0), R(c1), R(c3), &x, &v);
+        check_error("linear", "x", "eps", ERROR_EPS(x, want_x, 0, grown) / (allowed + nonlinear), 16, x0, v0);
+        check_error("linear", "v", "eps", ERROR_EPS(v, want_v, 0, lambda * grown) / (allowed + nonlinear), 16, x0, v0);
+    }
+}
+
+/* Starts on the separatrix but for rounding errors, on either side of it, and on it: the motion follows A/cosh, and is
+   a number at any time. From next to x = 0 it grows, turns at A and comes back. */
+static void test_along_the_separatrix(void)
+{
+    const vm_odd_force force = vm_duffing_force(-1, R(0.5));
+    vm_real x = 7, v = 7;
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const double c1 = uniform(-4, -0.25), c3 = uniform(0.25, 4), A = sqrt(-2 * c1 / c3), lambda = sqrt(-c1);
+        const double y0 = uniform(-8, 8), t = uniform(-1, 1), y = y0 + lambda * t;
+        const double x0 = A / cosh(y0), v0 = -lambda * x0 * tanh(y0);
+        const double off = exp(fabs(y0)) * fabs(sinh(lambda * t)) + 1; /* how the rounding of x0 and v0 grows */
+        vm_duffing_exact_from(R(t), R(x0), R(v0), R(c1), R(c3), &x, &v);
+        check_error("along", "x", "eps", ERROR_EPS(x, A / cosh(y), 0, A) / off, 16, c1, c3);
+        check_error("along", "v", "eps", ERROR_EPS(v, -lambda * A / cosh(y) * tanh(y), 0, lambda * A) / off, 16, c1, c3);
+        vm_duffing_exact_from(R(100 * t), R(x0), R(v0), R(c1), R(c3), &x, &v);
+        CHECK(fabs((double)x) <= 1.001 * A && fabs((double)v) <= lambda * A);
+    }
+    for (i = 0; i <= 60; i++) { /* 2^-26: v0^2 - x0^2 is 0 but for rounding errors */
+        const double late = log(4 / ldexp(1, -26)), y = i - late;
+        vm_duffing_exact_from(R(i), R(ldexp(1, -26)), R(ldexp(1, -26)), -1, R(0.5), &x, &v);
+        if (y > 16) continue;
+        check_error("along", "from 0", "eps", ERROR_EPS(x, 2 / cosh(y), 0, 2 / cosh(y)) / (1 + i + late), 16, i, 0);
+    }
+    x = v = 7;
+    CHECK(vm_odd_exact_from(&force, 1, 2, 0, &x, &v) == VM_NO_LAW && x == 7 && v == 7);
+}
+
 /* Rest stays rest: at x = 0, between the wells, and in a well. */
 static void test_rest(void)
 {
@@ -169,6 +263,10 @@ int main(void)
     test_energy_and_return();
     test_limits();
     test_separatrix();
+    test_between_the_wells();
+    test_periods_from_next_to_0();
+    test_linear_between_the_wells();
+    test_along_the_separatrix();
     test_rest();
     test_refusals();
     return check_finish("duffing");

@@ -437,6 +437,11 @@ static void test_crossing(void)
     o.damping = vm_law_linear(-0.05, 0);
     CHECK(vm_odd_plan_init(&plan, &o, 100) == VM_OK && plan.reach < 40 && plan.reach > 5);
     CHECK(vm_odd_plan_within(&plan, 100, 1e-6, &m) == VM_NOT_INTEGRATED);
+    /* Closer to the separatrix than rounding errors of the orbit's size there is no averaged motion. */
+    o = problem_of(vm_duffing_force(-1, 1), 0, ldexp(1, -30));
+    CHECK(vm_odd_plan_init(&plan, &o, 8) == VM_OK && plan.reach == 0);
+    CHECK(vm_odd_plan_within(&plan, 8, 0, &m) == VM_OK && m.route == VM_ODD_RK87);
+    CHECK(fabs(m.x / (o.v * sinh(8.)) - 1) < 0.02 && fabs(m.amplitude / sqrt(2) - 1) < 1e-6);
     /* A start on the separatrix and one outside the well have no averaged motion at all. */
     o = problem_of(vm_duffing_force(-1, 1), 0, 0.001);
     o.v = 0;

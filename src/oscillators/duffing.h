@@ -49,9 +49,20 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
     return VM_NAN;
 }
 
-/* Writes the size and place of the orbit (oscillators/odd_force.h) that contains the state (x, v). With two wells the
-   orbit lies in one well if its energy is not above the energy of a body at rest at x = 0. Returns VM_NO_LAW if the
-   motion goes to infinity. */
+/* Returns 1 - m of the orbit with two wells that contains a state. slope = c1 + c3 x^2, and twice_energy is twice the
+   energy per unit mass, which is 0 on the separatrix. With r^2 = c1^2 + 2 c3 twice_energy = slope^2 + 2 c3 v^2 it is
+   c3 twice_energy/(r (r - c1)) around both wells, and -2 c3 twice_energy/(r - c1)^2 in one of them. These quotients
+   have full accuracy where x and v are tiny, but the size of the orbit then rounds to that of the separatrix. */
+VM_API vm_real vmi_duffing_m1(const vm_odd_force *force, vm_real slope, vm_real v, vm_real twice_energy)
+{
+    const vm_real k1 = force->k1, k3 = force->k3, r = VM_SQRT(slope * slope + 2 * k3 * (v * v)), sum = r - k1;
+    if (twice_energy > 0) return k3 * twice_energy / r / sum;
+    return -2 * (k3 * twice_energy / sum) / sum;
+}
+
+/* Writes the size and place of the orbit (oscillators/odd_force.h) that contains the state (x, v). With two wells it
+   writes 1 - m, too, and the orbit lies in one well if its energy is not above the energy of a body at rest at x = 0.
+   Returns VM_NO_LAW if the motion goes to infinity. */
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
@@ -59,7 +70,9 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
     vm_real above;
     orbit->force = force;
     orbit->place = VMI_ORBIT_AROUND_0;
-    if (k1 < 0 && k3 > 0 && twice_energy <= 0) {
+    orbit->m1 = 1; /* 1 - m is not known */
+    if (k1 < 0 && k3 > 0) orbit->m1 = vmi_duffing_m1(force, slope, v, twice_energy);
+    if (k1 < 0 && k3 > 0 && twice_energy <= 0 && (x != 0 || v == 0)) {
         const vm_real to_rest = slope / k3; /* x^2 minus its value -k1/k3 at the place of rest in the well */
         orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
         if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
@@ -78,23 +91,56 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
 
 /* -- The shape of an orbit -- */
 
+/* VMI_DUFFING_CLOSE(m1) is 1 for an orbit so close to the separatrix that its size gives 1 - m with fewer digits. */
+#define VMI_DUFFING_CLOSE(m1) ((m1) < VM_C(0.015625))
+
+/* Returns 1 if an orbit is the separatrix, else 0. The separatrix is the motion x = A/cosh(lambda t), which goes from x
+   = 0 to x = A and back to x = 0 in infinite time. An orbit whose 1 - m underflows counts as the separatrix. */
+VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
+{
+    return orbit->force->k1 < 0 && orbit->force->k3 > 0 && orbit->size != 0 && orbit->m1 < VM_MIN;
+}
+
+/* Returns 1 - m of an orbit from two values. by_size follows from the orbit's size. `known`, the value that the field
+   m1 of the orbit already has, may come from the energy (vmi_duffing_m1). If the two agree to rounding errors and the
+   orbit is close to the separatrix, the second one has more correct digits. If they do not agree, the size of the orbit
+   has changed since. */
+VM_API vm_real vmi_duffing_better_m1(vm_real by_size, vm_real known)
+{
+    if (VMI_DUFFING_CLOSE(known) && VM_FABS(by_size - known) <= 16 * VM_EPSILON) return known;
+    return by_size;
+}
+
+/* Writes the means C2 and C4 of cn^2 and cn^4 to an orbit whose field m1 is set, where m = 1 - m1. Close to the
+   separatrix m has lost digits of m1. There the means come from m1, by the formulas of jacobi_cn_means. */
+VM_API void vmi_duffing_means(vmi_orbit *orbit, vm_real m)
+{
+    const vm_real m1 = orbit->m1;
+    vm_real C2, C4, C6;
+    jacobi_cn_means(m, &C2, &C4, &C6);
+    if (VMI_DUFFING_CLOSE(m1)) {
+        C2 = vmi_mean_from_K(m1, vmi_log_4(m1, 0));
+        C4 = C2 - (C2 - m1 / m * (1 - 2 * C2)) / 3;
+    }
+    orbit->C2 = C2;
+    orbit->C4 = C4;
+}
+
 /* Computes all other fields of an orbit around 0 from its size, the amplitude A. The motion is x = A cn(lambda t | m)
    with lambda^2 = c1 + c3 A^2 and 1 - m = (c1 + c3 A^2/2)/lambda^2. For c3 < 0 the parameter m is negative. */
 VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
 {
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, square = orbit->size * orbit->size;
     const vm_real lambda2 = k1 + k3 * square;
-    const vm_real m1 = (k1 + k3 * square / 2) / lambda2, m = k3 * square / (2 * lambda2);
-    vm_real C2, C4, C6;
+    const vm_real m1 = vmi_duffing_better_m1((k1 + k3 * square / 2) / lambda2, orbit->m1);
+    const vm_real m = k3 * square / (2 * lambda2);
     if (!(lambda2 > 0) || !(m1 > 0)) return VM_NO_LAW;
-    jacobi_cn_means(m, &C2, &C4, &C6);
     orbit->span = VM_PI / 2;
     orbit->lambda = VM_SQRT(lambda2);
     orbit->m1 = m1;
-    orbit->C2 = C2;
-    orbit->C4 = C4;
+    vmi_duffing_means(orbit, m);
     orbit->w = VM_PI / 2 * orbit->lambda / jacobi_K_m1(m1);
-    orbit->j = square * lambda2 * (m1 * (1 - C2) + m * (C2 - C4)) / orbit->w;
+    orbit->j = square * lambda2 * (m1 * (1 - orbit->C2) + m * (orbit->C2 - orbit->C4)) / orbit->w;
     orbit->energy_slope = orbit->size * lambda2;
     orbit->swing = orbit->size;
     orbit->vmax = orbit->size * VM_SQRT(k1 + k3 * square / 2);
@@ -109,17 +155,16 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
 {
     const vm_real k3 = orbit->force->k3, rest = -orbit->force->k1 / k3, size = orbit->size;
     const vm_real A = VM_SQRT(rest + size), B = VM_SQRT(vmi_larger(rest - size, 0));
-    const vm_real m1 = (rest - size) / (rest + size), m = 2 * size / (rest + size);
-    vm_real C2, C4, C6;
+    const vm_real m1 = vmi_duffing_better_m1((rest - size) / (rest + size), orbit->m1);
+    const vm_real m = 2 * size / (rest + size);
     if (!(m1 > 0)) return VM_NO_LAW;
-    jacobi_cn_means(m, &C2, &C4, &C6);
     orbit->span = VM_PI;
     orbit->lambda = A * VM_SQRT(k3 / 2);
     orbit->m1 = m1;
-    orbit->C2 = C2;
-    orbit->C4 = C4;
+    vmi_duffing_means(orbit, m);
     orbit->w = VM_PI * orbit->lambda / jacobi_K_m1(m1);
-    orbit->j = 2 * size * size * k3 * (C2 - C4) / orbit->w; /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
+    /* the mean of v^2 = 2 k3 size^2 sn^2 cn^2, divided by w */
+    orbit->j = 2 * size * size * k3 * (orbit->C2 - orbit->C4) / orbit->w;
     orbit->energy_slope = k3 * size / 2;
     orbit->swing = size / (A + B); /* (A - B)/2, where A is the largest |x| and B the smallest |x| */
     orbit->vmax = size * VM_SQRT(k3 / 2);
@@ -131,6 +176,7 @@ VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
 VM_API int vmi_duffing_complete(vmi_orbit *orbit)
 {
     int status;
+    if (vmi_duffing_is_separatrix(orbit)) return VM_NO_LAW;
     if (orbit->place == VMI_ORBIT_AROUND_0) status = vmi_duffing_complete_outer(orbit);
     else status = vmi_duffing_complete_inner(orbit);
     if (!status && !(orbit->w > 0 && VM_IS_FINITE(orbit->w) && VM_IS_FINITE(orbit->j))) status = VM_NO_LAW;
@@ -174,7 +220,8 @@ VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_rea
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1;
     vm_real s2, c2, u;
     if (orbit->place == VMI_ORBIT_AROUND_0) {
-        const vm_real g = k1 + k3 * (x * x + size * size) / 2; /* v^2 = g (A^2 - x^2) */
+        vm_real g = k1 + k3 * (x * x + size * size) / 2; /* v^2 = g (A^2 - x^2) */
+        if (VMI_DUFFING_CLOSE(m1)) g = orbit->lambda * orbit->lambda * m1 + k3 * (x * x) / 2; /* the same number */
         c2 = vmi_smaller(x * x / (size * size), 1);
         s2 = vmi_smaller(v * v / (g * (size * size)), 1);
     } else {
@@ -182,6 +229,7 @@ VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_rea
         const vm_real sine = v / (size * VM_SQRT(k3 / 2)), angle = vmi_atan2(VM_FABS(sine), cosine) / 2;
         vm_real s, c;
         vmi_sincos(angle, &s, &c);
+        if (VMI_DUFFING_CLOSE(m1) && cosine < 0) c = sine / (2 * s); /* c is small, and sine = 2 s c */
         s2 = s * s;
         c2 = c * c;
     }
@@ -269,21 +317,11 @@ VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
     return v * v / 2 + (x * x) * (c1 / 2 + c3 * (x * x) / 4);
 }
 
-/* Returns 1 if an orbit is the separatrix, else 0. The separatrix is the motion x = A/cosh(lambda t), which goes from x
-   = 0 to x = A and back to x = 0 in infinite time. */
-VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
-{
-    const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3;
-    if (!(k1 < 0) || !(k3 > 0) || orbit->size == 0) return 0;
-    if (orbit->place == VMI_ORBIT_AROUND_0) return k1 + k3 * (orbit->size * orbit->size) / 2 == 0;
-    return orbit->size == -k1 / k3;
-}
-
 /* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
    For a motion in one of two wells it is the time of one vibration in this well. The period is infinite on the
-   separatrix. The relative error is at most 8 eps where the two terms of c1 + c3 x0^2, and those of c1 + c3 x0^2/2, do
-   not cancel. Returns NaN if the motion goes to infinity, if the body stays at rest (at x0 = 0 or x0^2 = -c1/c3), and
-   if an argument is infinite or NaN. */
+   separatrix, and between two wells also where x0^2 or (c3/c1) x0^2 underflows. The relative error is at most 8 eps
+   where the two terms of c1 + c3 x0^2, and those of c1 + c3 x0^2/2, do not cancel. Returns NaN if the motion goes to
+   infinity, if the body stays at rest (at x0 = 0 or x0^2 = -c1/c3), and if an argument is infinite or NaN. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
 {
     const vm_odd_force force = vmi_duffing_elastic(c1, c3);
@@ -306,26 +344,60 @@ VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
     return vm_odd_action(&force, x0);
 }
 
+/* Writes position and velocity at time t of a motion that comes from next to x = 0 along the separatrix. Near x = 0 the
+   motion is linear: the sum of a part that grows as exp(lambda |t|) and a part that falls as exp(-lambda |t|). The
+   growing part is the beginning of A/cosh(lambda |t| - late), for late = ln(2 A/a), where a is this part at t = 0. On
+   the separatrix x0 may be large. There the falling part is 0, and a = 2 x0/(1 + c) with c = sqrt(1 - x0^2/A^2) =
+   |v0/(lambda x0)|. */
+VM_API void vmi_duffing_from_saddle(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
+{
+    const vm_real A = VM_SQRT(-2 * c1 / c3), lambda = VM_SQRT(-c1), side = VM_COPYSIGN((vm_real)1, t);
+    const vm_real c = VM_SQRT(1 - (x0 / A) * (x0 / A)), from_v = side * v0 / lambda, whole = lambda * VM_FABS(t);
+    const vm_real a = 2 * (x0 + from_v) / ((1 + c) * (1 + c));
+    const vm_real falling = (c * x0 - from_v) / 2 * vmi_exp(-whole, 0);
+    vm_real tanh_t = 0, sech_t = 0, unused, rising;
+    if (a != 0) {
+        const vm_two first = vmi_log(2 * A), second = vmi_log(VM_FABS(a));
+        jacobi_sncndn_m1(whole - (first.hi - second.hi) - (first.lo - second.lo), 0, &tanh_t, &sech_t, &unused);
+    }
+    rising = VM_COPYSIGN(A, a) * sech_t;
+    *x = rising + falling;
+    *v = -side * lambda * (rising * tanh_t + falling);
+}
+
 /* Writes position and velocity at time t of the motion x = A/cosh(lambda t) on the separatrix, with A^2 = -2 c1/c3 and
-   lambda^2 = -c1. */
+   lambda^2 = -c1. Where the formula would lose digits, and where x0 is so small that the motion begins linearly, the
+   motion comes from vmi_duffing_from_saddle. */
 VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x,
                                       vm_real *v)
 {
     const vm_real A = VM_COPYSIGN(VM_SQRT(-2 * c1 / c3), x0), lambda = VM_SQRT(-c1);
-    const vm_real tanh0 = -v0 / (lambda * x0), cosh0 = A / x0;
-    vm_real tanh_t, sech_t, unused, both;
+    vm_real tanh_t, sech_t, unused, tanh0 = 0, both = 0;
     jacobi_sncndn_m1(lambda * t, 0, &tanh_t, &sech_t, &unused);
-    both = 1 + tanh0 * tanh_t; /* cosh(a + b) = cosh a cosh b (1 + tanh a tanh b) */
-    *x = A * sech_t / (cosh0 * both);
+    if ((x0 / A) * (x0 / A) > VM_EPSILON) {
+        tanh0 = -v0 / (lambda * x0);
+        both = 1 + tanh0 * tanh_t; /* cosh(a + b) = cosh a cosh b (1 + tanh a tanh b) */
+    }
+    if (!(both > VM_C(0.5))) {
+        vmi_duffing_from_saddle(t, x0, v0, c1, c3, x, v);
+        return;
+    }
+    *x = A * sech_t / (A / x0 * both);
     *v = -lambda * *x * ((tanh0 + tanh_t) / both);
 }
 
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
    c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps of
    the amplitude and of the largest velocity, times 1 + t/period, where the two terms of c1 + c3 A^2, and those of c1 +
-   c3 A^2/2, do not cancel. A is the amplitude. If the motion goes to infinity, or an argument is infinite or NaN, NaN
-   is written to both x and v. The same holds for c1 > 0, c3 < 0, A^2 = -c1/c3, the border of the motions that go to
-   infinity. If x or v is a null pointer, nothing is written. Equations: DLMF 22.19(ii). */
+   c3 A^2/2, do not cancel. A is the amplitude. They cancel next to the separatrix of two wells (c1 < 0, c3 > 0), for
+   example where x0 and v0 are tiny. There, with lambda^2 = -c1, s = v0^2 - lambda^2 x0^2 + c3 x0^4/2 and r = (v0^2 +
+   lambda^2 x0^2)/|s|, the errors of x and v/lambda are at most 16 eps r (1 + lambda (|t| + period/4)) times the larger
+   of |x| and |v|/lambda. The factor r says how much rounding x0 and v0 changes the energy; where r eps is 1 or more,
+   the motion is taken for one on the separatrix or near it, on either side. If v0 and x0 are so small that v0^2 and c1
+   x0^2, or c3 s/c1^2, underflow, the motion is right until it comes back close to x = 0.
+   If the motion goes to infinity, or an argument is infinite or NaN, NaN is written to both x and v. The same holds for
+   c1 > 0, c3 < 0, A^2 = -c1/c3, the border of the motions that go to infinity. If x or v is a null pointer, nothing is
+   written. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
@@ -338,7 +410,7 @@ VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1,
     if (orbit.size == 0) {
         *x = x0;
         *v = v0;
-    } else if (vmi_duffing_is_separatrix(&orbit) && x0 != 0) {
+    } else if (vmi_duffing_is_separatrix(&orbit)) {
         vmi_duffing_on_separatrix(t, x0, v0, c1, c3, x, v);
     } else if (!vmi_duffing_complete(&orbit)) {
         vmi_duffing_at_argument(&orbit, vmi_duffing_argument_of(&orbit, x0, v0) + orbit.lambda * t, x, v);

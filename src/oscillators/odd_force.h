@@ -47,9 +47,11 @@ struct VM_TAG(vm_odd_force) {
     /* Functions for this kind of force, which the constructor sets. Functions of type int return a status. */
     int (*at)(const vm_odd_force *force, vm_real x, vm_real *f); /* writes F(x) for any x to *f; null if no constructor
                                                                     filled the struct */
-    /* Writes the fields `size` and `place` of the orbit that contains a given state (x, v). */
+    /* Writes the fields `size` and `place` of the orbit that contains a given state (x, v), and `m1`. For Duffing's
+       force with two wells m1 comes from the energy; for all others it is 1, which means that it is not known. */
     int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
-    /* Computes all other fields of an orbit from its fields `size` and `place`. */
+    /* Computes all other fields of an orbit from its fields `size` and `place`. If the size agrees with the m1 that is
+       already there, as after orbit_through, m1 may stay. */
     int (*complete)(vmi_orbit *orbit);
     /* Three functions for an orbit all of whose fields are set: `point` writes the point at theta, `phase` the phase of
        the state (x, v), and `at_phase` the state at the phase phi. */
@@ -443,6 +445,7 @@ VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v,
     s.status = VM_OK;
     orbit->force = force;
     orbit->place = VMI_ORBIT_AROUND_0;
+    orbit->m1 = 1; /* only Duffing's force has a modulus */
     orbit->size = s.x;
     if (v == 0) return VM_OK;
     step = s.x > 0 ? s.x : VM_FABS(v);
@@ -556,8 +559,9 @@ VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
    force F per unit mass. The error of x, divided by the amplitude, and the error of v, divided by the largest velocity,
    are at most 1e-12 (float 1e-4) times 1 + t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no
    constructor made, VM_NOT_FINITE for numbers or a force that are infinite or NaN, VM_DOMAIN where the user's function
-   fails, and VM_NO_LAW in three cases: where there is no vibration, on or close to a separatrix (the border between two
-   kinds of vibration), and for a force that is not smooth. An error leaves *x and *v untouched. */
+   fails, and VM_NO_LAW in three cases: where there is no vibration, on a separatrix (the border between two kinds of
+   vibration) and, for a user's function, close to one, and for a force that is not smooth. Close to the separatrix of
+   Duffing's force the errors are those of vm_duffing_exact_from. An error leaves *x and *v untouched. */
 VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
 {
     vmi_orbit orbit;

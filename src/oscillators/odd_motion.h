@@ -484,6 +484,8 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     if (status) return status;
     if (o->v == 0 && f == 0 && (o->x == 0 || !o->force.laws)) p->at_rest = 1;
     else status = vmi_orbit_of_state(&o->force, o->x, p->v0, &orbit);
+    if (!status && orbit.size > 0 && orbit.m1 < VM_EPSILON) status = VM_NO_LAW; /* the size of a mean orbit cannot
+                                                                                   tell it from the separatrix */
     if (status == VM_NO_LAW) return VM_OK;
     if (status || p->at_rest || orbit.size == 0) return status;
     p->start = orbit;
