@@ -21,6 +21,25 @@ static int blow_up_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
     return 0;
 }
 
+/* Returns an event of the event function g, called with the context ctx. */
+static ode_event event_of(vm_real (*g)(vm_real t, const vm_real *y, void *ctx), void *ctx)
+{
+    ode_event event;
+    memset(&event, 0, sizeof event);
+    event.g = g;
+    event.ctx = ctx;
+    return event;
+}
+
+/* Returns the options of a run with one event. */
+static rk45_options options_with(ode_event *event)
+{
+    rk45_options o = {0};
+    o.events = event;
+    o.n_events = 1;
+    return o;
+}
+
 /* ---- Step size control ---- */
 
 static int arenstorf_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
@@ -109,15 +128,10 @@ static vm_real above_level(vm_real t, const vm_real *y, void *ctx)
 static void test_low_word_of_time(void)
 {
     vm_real zero = 0, work[RK87_WORK(1)], slope, level;
-    rk45_options o = {0};
-    ode_event stop;
+    ode_event stop = event_of(above_level, &level);
+    const rk45_options o = options_with(&stop);
     int m, i, ulps, apart = 0;
-    memset(&stop, 0, sizeof stop);
-    stop.g = above_level;
-    stop.ctx = &level;
     stop.action = ODE_STOP;
-    o.events = &stop;
-    o.n_events = 1;
     for (m = 0; m < METHODS; m++)
         for (i = 1; i < 60; i++)
             for (ulps = -2; ulps <= 2; ulps++) {
@@ -293,11 +307,8 @@ static void check_jump(const method *m, jump j, vm_real t0, vm_real t_end, rk45_
     /* 100 tolerances, since the estimate of the error is not right where f jumps */
     const double allowed = 10 * (double)o.h_min + (is_float ? 1e-2 : 1e-4);
     vm_real y0[1] = {0}, work[RK87_WORK(1)];
-    ode_event event;
+    ode_event event = event_of(time_of_jump, &j);
     rk45 s;
-    memset(&event, 0, sizeof event);
-    event.g = time_of_jump;
-    event.ctx = &j;
     o.events = &event;
     for (o.n_events = 0; o.n_events < 2; o.n_events++) {
         CHECK(m->init(&s, jump_rhs, &j, 1, t0, y0, &o, work) == ODE_OK);
@@ -420,15 +431,10 @@ static void test_missed_step_taken_back(void)
     for (i = 0; i < METHODS; i++) {
         spoiled_jump spoiled = {{1, 100, -1000}, 0};
         vm_real y0[1] = {0}, work[RK87_WORK(1)];
-        rk45_options o = {0};
-        ode_event event;
+        ode_event event = event_of(nan_after_jump, &spoiled);
+        rk45_options o = options_with(&event);
         rk45 s;
-        memset(&event, 0, sizeof event);
-        event.g = nan_after_jump;
-        event.ctx = &spoiled;
         o.atol = VM_EPSILON;
-        o.events = &event;
-        o.n_events = 1;
         CHECK(methods[i].init(&s, jump_rhs, &spoiled, 1, 0, y0, &o, work) == ODE_OK);
         CHECK(methods[i].solve(&s, 2) == ODE_NOT_FINITE && s.missed == 0 && s.t <= 1);
         CHECK(methods[i].solve(&s, 2) == ODE_OK && s.t == 2 && s.missed == 1);

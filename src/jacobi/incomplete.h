@@ -85,7 +85,8 @@ VM_INLINE vm_real vmi_with_turns(vm_real turns, vm_real complete, vm_real part)
     const vm_real limit = VM_MAX * VM_EPSILON;
     const int safe = VM_FABS(turns) < 1 / VM_EPSILON && VM_FABS(complete) < limit && VM_FABS(part) < limit;
     if (safe) return vmi_two_plus(vmi_two_product(turns, complete), vmi_two(part, 0)).hi;
-    return VM_IS_FINITE(complete) ? turns * complete + part : turns * complete;
+    if (!VM_IS_FINITE(complete)) return turns * complete;
+    return turns * complete + part;
 }
 
 /* Returns F(phi | m) for 1 - m = m1 + m1_lo, a number in two words. */
@@ -385,7 +386,8 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
         const vm_real complete = vmi_Pi(n, m, m1);
         if (!(m1 >= 0) || phi != phi || complete != complete) return VM_NAN;
         if (VM_IS_FINITE(phi)) return 0 * phi; /* n or m is infinite, and Pi(n | m) is 0 */
-        return complete == 0 ? VM_NAN : VM_COPYSIGN(phi, phi * complete);
+        if (complete == 0) return VM_NAN;
+        return VM_COPYSIGN(phi, phi * complete);
     }
     angle = vmi_angle_of(phi);
     if (VM_FABS(angle.turns) == 2 && angle.s.hi * angle.turns < 0 && n < 1 && m1 > 0) {

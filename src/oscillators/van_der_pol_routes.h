@@ -160,8 +160,8 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
      VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, or a user's function that
        fails,
      VM_NOT_INTEGRATED, for all routes but VM_ROUTE_RK87, where amplitude and phase do not describe the motion,
-     VM_NOT_INTEGRATED, for the first three routes, where points of a table on the way from 0 to t, or such a point and
-       t = 0, are closer than a quarter of a vibration,
+     VM_NOT_INTEGRATED, for the first three routes, where two points of a table, or t = 0 and a point of a table, are
+       closer than a quarter of a vibration, if these points lie between 0 and t,
      VM_NOT_INTEGRATED, for the last two routes, where the integrator cannot reach t.
    The first three routes may use the laws up to a quarter of a vibration beyond t = 0 or beyond a point of a table, in
    the direction of t, even if t itself is nearer; what the laws are there can also cause these errors. */

@@ -590,8 +590,8 @@ VM_API int vmi_vdp_walk(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 }
 
 /* Computes the mean motion at t by integration along the laws of mass and stiffness. Returns VM_NOT_INTEGRATED where
-   amplitude and phase do not describe the motion, or where points of a table, or such a point and t = 0, are closer
-   than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
+   amplitude and phase do not describe the motion, or where two points of a table, or t = 0 and a point of a table,
+   are closer than a quarter of a vibration, and VM_NOT_FINITE where the amplitude becomes infinite between 0 and t. */
 VM_API int vmi_vdp_mean_at(const vm_vdp_plan *p, vm_real t, vmi_vdp_mean *mean)
 {
     const int status = vmi_vdp_start_of(p, vmi_time_side(t), mean);
