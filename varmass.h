@@ -15342,12 +15342,11 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
     orbit->place = VMI_ORBIT_AROUND_0;
     orbit->m1 = 1; /* 1 - m is not known */
     if (k1 < 0 && k3 > 0) orbit->m1 = vmi_duffing_m1(force, slope, v, twice_energy);
-    if (k1 < 0 && k3 > 0 && twice_energy <= 0 && (x != 0 || v == 0)) {
+    if (k1 < 0 && k3 > 0 && twice_energy <= 0 && x != 0) {
         const vm_real to_rest = slope / k3; /* x^2 minus its value -k1/k3 at the place of rest in the well */
         orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
         if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
-        if (x < 0) orbit->place = VMI_ORBIT_LEFT;
-        if (x == 0) orbit->size = 0; /* the body is at rest between the wells */
+        else orbit->place = VMI_ORBIT_LEFT;
         return VM_OK;
     }
     orbit->size = 0;

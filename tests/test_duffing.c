@@ -10,7 +10,7 @@
 static double cancellation(double c1, double c3, double x0, double v0)
 {
     const vm_odd_force force = vm_duffing_force(R(c1), R(c3));
-    vmi_orbit orbit;
+    vmi_orbit orbit = {0};
     double rest = 1, square;
     CHECK(vmi_orbit_of_state(&force, R(x0), R(v0), &orbit) == VM_OK);
     square = (double)(orbit.size * orbit.size);
