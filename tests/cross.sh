@@ -1,12 +1,11 @@
 #!/bin/sh
 # The same bits everywhere: build and run tests/golden.c on every target that can be had, and compare what it prints with
 # the first; then the tests on those that have a console. Each TEST is tests/test_TEST.c; without any, only bits are compared.
-# A test that passed on a target is kept in BUILD_FOLDER/cross_tests, and is not run again there while the headers and this test
-# stay as they are: a run of hours that was broken off goes on where it was.
+# A test that passed on a target is kept in BUILD_FOLDER/cross_tests (tests/kept.sh), and is not run again there.
 # usage: cross.sh BUILD_FOLDER REPORT [TEST...], from the top of the project
 build=$1/cross kept=$1/cross_tests report=$2
 shift 2
-shared=$(ls tests/*.h tests/data/*.h tests/hard/* tests/cross/* examples/*.h examples/scenes/*.h | grep -v /eva_)
+. tests/kept.sh
 every=$*
 # those but the five that last longest, for emulators
 most=$(echo " $every " | sed 's/ flow / /; s/ van_der_pol / /; s/ pair / /; s/ forced / /; s/ routes / /')
@@ -18,8 +17,8 @@ few=$(for test in $every; do case $test in rk4 | pairs | adaptive | dense | even
 # several times as long where other work shares the machine.
 limit=3600
 passed=0 failed=0 skipped=0
-rm -rf "$build" && mkdir -p "$build/declared" "$kept" || exit 1
-for header in jacobi.h ateb.h integrators.h varmass.h; do awk -f tests/declared.awk $header >"$build/declared/$header"; done
+rm -rf "$build" && mkdir -p "$build/declared" || exit 1
+declare_headers "$build/declared"
 c99="-std=c99 -ffp-contract=off"
 cortex="-nostartfiles -T tests/cross/cortex_m.ld -ffunction-sections -Wl,--gc-sections \$boot"
 large="-Wl,--defsym=FLASH_SIZE=0x400000,--defsym=RAM_SIZE=0x400000"
@@ -61,12 +60,6 @@ target() {
     done
 }
 
-# declared TEST: the headers that the test includes, without the functions' bodies, or varmass.h where only a header of the
-# tests includes one
-declared() {
-    names=$(sed -n 's|^#include "\.\./\([a-z]*\.h\)".*|\1|p' "tests/test_$1.c")
-    for header in ${names:-varmass.h}; do echo "-include $build/declared/$header"; done
-}
 # tests NAME PRECISION COMPILE RUN TEST...: the same of the tests, the number of checks that passed in all. As in make test the
 # headers are compiled once, and the tests are linked with this object.
 tests() {
@@ -78,13 +71,11 @@ tests() {
     headers=$(echo "$build/headers.$precision"*)
     out=$build/test.$precision
     for test in "$@"; do
-        passed_before=$kept/$(echo "$name.$precision.$test" | tr -c 'a-zA-Z0-9_.\n' -)
-        sources=$(cat jacobi.h ateb.h integrators.h varmass.h $shared "tests/test_$test.c" | cksum)
-        if [ "$(head -n 1 "$passed_before" 2>/dev/null)" = "$sources" ]; then
-            checks=$((checks + $(sed -n 2p "$passed_before")))
+        if is_kept "$name.$precision" "$test"; then
+            checks=$((checks + $(kept_word "$name.$precision" "$test")))
             continue
         fi
-        source="-w -include tests/linked.h $(declared "$test" | paste -s -d ' ' -) tests/test_$test.c $headers"
+        source="-w -include tests/linked.h $(declared "$build/declared" "$test") tests/test_$test.c $headers"
         if ! eval "$compile" >"$out.log" 2>&1; then
             bad="$bad; $test does not compile: $(grep -m 1 -i -E 'error|overflowed' "$out.log")"
             continue
@@ -94,7 +85,7 @@ tests() {
         if [ -n "$last" ]; then
             now=$(echo "$last" | sed 's/.*: \([0-9]*\) passed.*/\1/')
             checks=$((checks + now))
-            printf '%s\n%s\n' "$sources" "$now" >"$passed_before"
+            keep "$name.$precision" "$test" "$now"
         else
             bad="$bad; $test: $(grep -m 1 FAILED "$out.log" || tail -n 1 "$out.log")"
         fi

@@ -1,34 +1,41 @@
 #!/bin/sh
-# The tests under the sanitizers of gcc and clang and under valgrind, the headers by the static analysers. Findings that
-# are kept on purpose are in tests/analysers.txt with their reason, one a line; any other one fails.
+# The tests under the sanitizers of gcc and clang and under valgrind, and the headers by the static analysers. Accepted findings are
+# in tests/analysers.txt, one a line with its reason; any other one fails. A test that passed is kept in BUILD_FOLDER/sanitized
+# (tests/kept.sh), and is not run again.
 # usage: sanitize.sh BUILD_FOLDER PART TEST...      PART: quick, ASan and UBSan in double alone, by $CC; or of the whole
 #        run, sanitizers, or gcc, memory, clang of them; valgrind; static, or analyser, tidy, misra of it; or all, these three
-build=$1/sanitize part=$2
+build=$1/sanitize part=$2 kept=$1/sanitized
 shift 2
 . tests/check.sh
+[ "$part" = quick ] && kept=$build/kept
+. tests/kept.sh
 jobs=$(nproc 2>/dev/null || echo 2)
+mkdir "$build/declared"
+declare_headers "$build/declared"
 
-# Each of the tests, built by a compiler with its flags, runs to the end without a word of a sanitizer
-sanitized() { # sanitized NAME "COMPILER FLAGS" TEST...
-    log=$build/$1 title=$1 command=$2
-    shift 2
-    printf '%s\n' "$@" | xargs -P "$jobs" -I{} sh -c "
-        case {} in van_der_pol|jeffcott|pair|forced|periodic|grounded_pair|averaging|routes|ladder) level=-O1 ;; *) level=-O0 ;; esac
-        $command \$level tests/test_{}.c -o $log.{} -lm >$log.{}.log 2>&1 &&
-        $log.{} >>$log.{}.log 2>&1; echo \$? >$log.{}.status"
+# Each of the tests, run by a command, runs to the end without a word of a sanitizer. As in make test the headers are compiled
+# once, and the tests are linked with this object.
+sanitized() { # sanitized NAME "COMPILER FLAGS" "COMMAND" TEST...
+    log=$build/$1 title=$1 compile=$2 command=$3
+    shift 3
+    check "$title: the headers compile" $compile -O1 -DVM_API= -x c -c varmass.h -o "$log.headers.o"
+    for test in "$@"; do is_kept "$title" $test || echo $test; done | xargs -P "$jobs" -I{} sh -c "
+        kept=$kept; . tests/kept.sh
+        { $compile -O1 -fno-inline -w -include tests/linked.h \$(declared $build/declared {}) tests/test_{}.c $log.headers.o -o $log.{} -lm &&
+        $command $log.{}; } >$log.{}.log 2>&1 && keep $title {} passed"
     for test in "$@"; do
-        check "$title: $test" test "$(cat "$log.$test.status")" = 0
-        grep -m 3 -E 'runtime error|ERROR: |WARNING: ' "$log.$test.log"
+        check "$title: $test" is_kept "$title" $test
+        grep -s -m 3 -E 'runtime error|ERROR: |WARNING: |^==.* at 0x' "$log.$test.log"
     done
 }
 
-if [ $part = quick ]; then
-    sanitized quick "${CC:-gcc} -std=c99 -g -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" "$@"
+if [ "$part" = quick ]; then
+    sanitized quick "${CC:-gcc} -std=c99 -g -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all" "" "$@"
     check_finish sanitize
     exit
 fi
 all="$*"
-run() { # run SUITE..., without optimisation, with which they take minutes to compile, but for those that take minutes without
+run() { # run SUITE...
     for precision in "" -DVM_USE_FLOAT; do
         for suite in "$@"; do
             case $suite in
@@ -36,18 +43,14 @@ run() { # run SUITE..., without optimisation, with which they take minutes to co
             memory) command="clang -fsanitize=memory" ;;
             clang) command="clang -fsanitize=undefined,float-cast-overflow,implicit-conversion" ;;
             esac
-            sanitized "$suite$precision" "$command -fno-sanitize-recover=all -std=c99 -g $precision" $all
+            sanitized "$suite$precision" "$command -fno-sanitize-recover=all -std=c99 -g $precision" "" $all
         done
     done
 }
 
-valgrind_runs() { # forty times slower: on what is quickest
+valgrind_runs() {
     sh tests/install.sh "command -v valgrind" valgrind || return
-    for test in events constant_mass dissertation refusals_numerics refusals_bodies refusals_streams refusals_oscillators \
-        refusals_slow refusals_scenes null_pointers; do
-        gcc -std=c99 -g -O1 -fno-inline tests/test_$test.c -o "$build/valgrind.$test" -lm
-        check "valgrind: $test" valgrind -q --error-exitcode=9 "$build/valgrind.$test"
-    done
+    sanitized valgrind "gcc -std=c99 -g" "valgrind -q --error-exitcode=9" $all
 }
 
 # clang-tidy and cppcheck see each header by a source that uses nothing of it: all its functions are external. So seen,
