@@ -9975,11 +9975,11 @@ VM_API int vmi_osc_rates_at(const vm_osc_problem *o, vm_real t, int side, vmi_os
 VM_API int vmi_osc_has_user_law(const vm_osc_problem *o) { return o->mass.function || o->stiffness.function; }
 
 /* Returns 1 if the fields of a law show that it is constant, as most stiffnesses are, and writes its value and its
-   first two derivatives to f; else returns 0. The value is not checked, since it was checked at t = 0. This function
-   saves 3 to 4 % of the machine instructions of collocation. */
+   first two derivatives to f; else returns 0. The law must not be a function of the user. The value is not checked,
+   since it was checked at t = 0. This function saves 3 to 4 % of the machine instructions of collocation. */
 VM_API int vmi_law_is_constant(const vm_law *law, vm_real *f)
 {
-    if (law->time || law->function || law->f1 != 0 || law->f2 != 0) return 0;
+    if (law->time || law->f1 != 0 || law->f2 != 0) return 0;
     f[0] = law->f0;
     f[1] = 0;
     f[2] = 0;
@@ -10461,7 +10461,6 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
    of S2 at the zeros of sa and of ca. Polynomials that only higher orders need become 0. */
 VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 {
-    if (r->has_polynomials) return;
     vmi_ripple_make_polynomials(r, order);
     r->at_ca_0 = 0;
     r->at_sa_0 = 0;
@@ -14338,8 +14337,8 @@ struct VM_TAG(vm_odd_force) {
     /* Writes the fields `size` and `place` of the orbit that contains a given state (x, v), and `m1`. For Duffing's
        force with two wells m1 comes from the energy; for all others it is 1, which means that it is not known. */
     int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
-    /* Computes all other fields of an orbit from its fields `size` and `place`. If the size agrees with the m1 that is
-       already there, as after orbit_through, m1 may stay. */
+    /* Computes all other fields of an orbit from its fields `size` and `place`. It may keep the m1 that
+       orbit_through has written if the size agrees with it. */
     int (*complete)(vmi_orbit *orbit);
     /* Three functions for an orbit all of whose fields are set: `point` writes the point at theta, `phase` the phase of
        the state (x, v), and `at_phase` the state at the phase phi. */
@@ -14847,9 +14846,9 @@ VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
    force F per unit mass. The error of x, divided by the amplitude, and the error of v, divided by the largest velocity,
    are at most 1e-12 (float 1e-4) times 1 + t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no
    constructor made, VM_NOT_FINITE for numbers or a force that are infinite or NaN, VM_DOMAIN where the user's function
-   fails, and VM_NO_LAW in three cases: where there is no vibration, on a separatrix (the border between two kinds of
-   vibration) and, for a user's function, close to one, and for a force that is not smooth. Close to the separatrix of
-   Duffing's force the errors are those of vm_duffing_exact_from. An error leaves *x and *v untouched. */
+   fails, and VM_NO_LAW where there is no vibration, on a separatrix (the border between two kinds of vibration), for
+   a user's function also close to a separatrix, and for a force that is not smooth. Close to the separatrix of a
+   Duffing force the errors are those of vm_duffing_exact_from. An error leaves *x and *v untouched. */
 VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
 {
     vmi_orbit orbit;
@@ -15309,25 +15308,36 @@ VM_API int vmi_duffing_at(const vm_odd_force *force, vm_real x, vm_real *f)
 }
 
 /* Returns d = A^2 - x^2, the square of the amplitude A minus x^2. The number d solves c3 d^2/2 + slope d = v^2, where
-   slope = c1 + c3 x^2. Returns NaN if the motion goes to infinity. */
+   slope = c1 + c3 x^2. Returns NaN if the motion goes to infinity, and if slope^2 or c3 v^2 overflows. */
 VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
 {
     const vm_real root = VM_SQRT(slope * slope + 2 * c3 * (v * v));
+    if (!VM_IS_FINITE(root)) return VM_NAN;
     if (v == 0 && slope >= 0) return 0;
     if (slope >= 0) return 2 * (v * v) / (slope + root);
     if (c3 > 0) return (root - slope) / c3;
     return VM_NAN;
 }
 
-/* Returns 1 - m of the orbit with two wells that contains a state. slope = c1 + c3 x^2, and twice_energy is twice the
-   energy per unit mass, which is 0 on the separatrix. With r^2 = c1^2 + 2 c3 twice_energy = slope^2 + 2 c3 v^2 it is
-   c3 twice_energy/(r (r - c1)) around both wells, and -2 c3 twice_energy/(r - c1)^2 in one of them. These quotients
-   have full accuracy where x and v are tiny, but the size of the orbit then rounds to that of the separatrix. */
-VM_API vm_real vmi_duffing_m1(const vm_odd_force *force, vm_real slope, vm_real v, vm_real twice_energy)
+/* Returns c3 s/c1^2 for a state between two wells, where s = v^2 + c1 x^2 + c3 x^4/2 is twice the energy per unit mass.
+   The result is 0 on the separatrix, positive outside it and negative in a well. No product underflows before the
+   result does. */
+VM_API vm_real vmi_duffing_energy_ratio(const vm_odd_force *force, vm_real x, vm_real v)
 {
-    const vm_real k1 = force->k1, k3 = force->k3, r = VM_SQRT(slope * slope + 2 * k3 * (v * v)), sum = r - k1;
-    if (twice_energy > 0) return k3 * twice_energy / r / sum;
-    return -2 * (k3 * twice_energy / sum) / sum;
+    const vm_real k1 = force->k1, k3 = force->k3, ratio = k3 / k1;
+    return ratio * v * (v / k1) + ratio * x * x * ((k1 + k3 * (x * x) / 2) / k1);
+}
+
+/* Returns 1 - m of an orbit from the result q of vmi_duffing_energy_ratio. With r = sqrt(1 + 2 q) it is q/(r (r + 1))
+   around both wells, and -2 q/(r + 1)^2 in one of them. It keeps all digits where x and v are tiny. The size of the
+   orbit does not: there it rounds to the size of the separatrix. Returns 1 far from the separatrix, which means that 1
+   - m is not known. */
+VM_API vm_real vmi_duffing_m1(vm_real q)
+{
+    const vm_real r = VM_SQRT(vmi_larger(1 + 2 * q, 0));
+    if (!(q < 2)) return 1;
+    if (q > 0) return q / (r * (r + 1));
+    return -2 * q / ((r + 1) * (r + 1));
 }
 
 /* Writes the size and place of the orbit (oscillators/odd_force.h) that contains the state (x, v). With two wells it
@@ -15336,13 +15346,12 @@ VM_API vm_real vmi_duffing_m1(const vm_odd_force *force, vm_real slope, vm_real 
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
-    const vm_real twice_energy = v * v + (x * x) * (k1 + k3 * (x * x) / 2);
-    vm_real above;
+    vm_real above, q = 2;
+    if (k1 < 0 && k3 > 0) q = vmi_duffing_energy_ratio(force, x, v);
     orbit->force = force;
     orbit->place = VMI_ORBIT_AROUND_0;
-    orbit->m1 = 1; /* 1 - m is not known */
-    if (k1 < 0 && k3 > 0) orbit->m1 = vmi_duffing_m1(force, slope, v, twice_energy);
-    if (k1 < 0 && k3 > 0 && twice_energy <= 0 && x != 0) {
+    orbit->m1 = vmi_duffing_m1(q);
+    if (q <= 0 && x != 0) {
         const vm_real to_rest = slope / k3; /* x^2 minus its value -k1/k3 at the place of rest in the well */
         orbit->size = VM_SQRT(to_rest * to_rest + 2 * (v * v) / k3);
         if (x > 0) orbit->place = VMI_ORBIT_RIGHT;
@@ -15361,19 +15370,20 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
 /* -- The shape of an orbit -- */
 
 /* VMI_DUFFING_CLOSE(m1) is 1 for an orbit so close to the separatrix that its size gives 1 - m with fewer digits. */
-#define VMI_DUFFING_CLOSE(m1) ((m1) < VM_C(0.015625))
+#define VMI_DUFFING_CLOSE(m1) ((m1) < VM_C(0.25))
 
-/* Returns 1 if an orbit is the separatrix, else 0. The separatrix is the motion x = A/cosh(lambda t), which goes from x
-   = 0 to x = A and back to x = 0 in infinite time. An orbit whose 1 - m underflows counts as the separatrix. */
+/* Returns 1 if an orbit of size > 0 is the separatrix, else 0. The separatrix is the motion x = A/cosh(lambda t), which
+   goes from x = 0 to x = A and back to x = 0 in infinite time. An orbit whose 1 - m is so small that numbers of this
+   size lose digits counts as the separatrix. */
 VM_API int vmi_duffing_is_separatrix(const vmi_orbit *orbit)
 {
-    return orbit->force->k1 < 0 && orbit->force->k3 > 0 && orbit->size != 0 && orbit->m1 < VM_MIN;
+    return orbit->m1 < VM_MIN / VM_EPSILON;
 }
 
-/* Returns 1 - m of an orbit from two values. by_size follows from the orbit's size. `known`, the value that the field
-   m1 of the orbit already has, may come from the energy (vmi_duffing_m1). If the two agree to rounding errors and the
-   orbit is close to the separatrix, the second one has more correct digits. If they do not agree, the size of the orbit
-   has changed since. */
+/* Returns 1 - m of an orbit. by_size was computed from the orbit's size. `known` is the field m1 of the orbit, which
+   vmi_duffing_m1 may have computed from the energy. Close to the separatrix `known` has more correct digits, and is
+   returned if the two agree to rounding errors. If they do not agree, the size was changed after `known` was computed,
+   and by_size is returned. */
 VM_API vm_real vmi_duffing_better_m1(vm_real by_size, vm_real known)
 {
     if (VMI_DUFFING_CLOSE(known) && VM_FABS(by_size - known) <= 16 * VM_EPSILON) return known;
@@ -15381,7 +15391,8 @@ VM_API vm_real vmi_duffing_better_m1(vm_real by_size, vm_real known)
 }
 
 /* Writes the means C2 and C4 of cn^2 and cn^4 to an orbit whose field m1 is set, where m = 1 - m1. Close to the
-   separatrix m has lost digits of m1. There the means come from m1, by the formulas of jacobi_cn_means. */
+   separatrix 1 - m, computed from m, has fewer correct digits than m1. There the means are computed from m1, by the
+   formulas of jacobi_cn_means. */
 VM_API void vmi_duffing_means(vmi_orbit *orbit, vm_real m)
 {
     const vm_real m1 = orbit->m1;
@@ -15417,8 +15428,8 @@ VM_API int vmi_duffing_complete_outer(vmi_orbit *orbit)
     return VM_OK;
 }
 
-/* Computes all other fields of an orbit in a well from its size. The place of rest in the well is x = rest, with rest^2
-   = -c1/c3. The motion is x = A dn(lambda t | m) with A^2 = rest^2 + size, lambda^2 = c3 A^2/2 and 1 - m = (rest^2 -
+/* Computes all other fields of an orbit in a well from its size. The place of rest in the well is x = sqrt(rest), where
+   rest = -c1/c3. The motion is x = A dn(lambda t | m) with A^2 = rest + size, lambda^2 = c3 A^2/2 and 1 - m = (rest -
    size)/A^2. */
 VM_API int vmi_duffing_complete_inner(vmi_orbit *orbit)
 {
@@ -15448,7 +15459,7 @@ VM_API int vmi_duffing_complete(vmi_orbit *orbit)
     if (vmi_duffing_is_separatrix(orbit)) return VM_NO_LAW;
     if (orbit->place == VMI_ORBIT_AROUND_0) status = vmi_duffing_complete_outer(orbit);
     else status = vmi_duffing_complete_inner(orbit);
-    if (!status && !(orbit->w > 0 && VM_IS_FINITE(orbit->w) && VM_IS_FINITE(orbit->j))) status = VM_NO_LAW;
+    if (!status && !(VM_IS_FINITE(orbit->w) && VM_IS_FINITE(orbit->j))) status = VM_NO_LAW;
     return status;
 }
 
@@ -15489,10 +15500,14 @@ VM_API vm_real vmi_duffing_argument_of(const vmi_orbit *orbit, vm_real x, vm_rea
     const vm_real k1 = orbit->force->k1, k3 = orbit->force->k3, size = orbit->size, m1 = orbit->m1;
     vm_real s2, c2, u;
     if (orbit->place == VMI_ORBIT_AROUND_0) {
-        vm_real g = k1 + k3 * (x * x + size * size) / 2; /* v^2 = g (A^2 - x^2) */
-        if (VMI_DUFFING_CLOSE(m1)) g = orbit->lambda * orbit->lambda * m1 + k3 * (x * x) / 2; /* the same number */
+        const vm_real g = k1 + k3 * (x * x + size * size) / 2; /* v^2 = g (A^2 - x^2) */
         c2 = vmi_smaller(x * x / (size * size), 1);
         s2 = vmi_smaller(v * v / (g * (size * size)), 1);
+        if (VMI_DUFFING_CLOSE(m1)) { /* the same numbers, with more digits: dn^2 = m1 + m cn^2 */
+            const vm_real c = x / size, s_dn = v / (size * orbit->lambda);
+            c2 = vmi_smaller(c * c, 1);
+            s2 = vmi_smaller(s_dn * s_dn / (m1 + (1 - m1) * c2), 1);
+        }
     } else {
         const vm_real cosine = vmi_clamp((x * x + k1 / k3) / size, -1, 1); /* cosine of the angle 2 theta */
         const vm_real sine = v / (size * VM_SQRT(k3 / 2)), angle = vmi_atan2(VM_FABS(sine), cosine) / 2;
@@ -15588,7 +15603,7 @@ VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
 
 /* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
    For a motion in one of two wells it is the time of one vibration in this well. The period is infinite on the
-   separatrix, and between two wells also where x0^2 or (c3/c1) x0^2 underflows. The relative error is at most 8 eps
+   separatrix, and between two wells also where (c3/c1) x0^2 is below VM_MIN/eps. The relative error is at most 8 eps
    where the two terms of c1 + c3 x0^2, and those of c1 + c3 x0^2/2, do not cancel. Returns NaN if the motion goes to
    infinity, if the body stays at rest (at x0 = 0 or x0^2 = -c1/c3), and if an argument is infinite or NaN. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
@@ -15615,15 +15630,16 @@ VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 
 /* Writes position and velocity at time t of a motion that comes from next to x = 0 along the separatrix. Near x = 0 the
    motion is linear: the sum of a part that grows as exp(lambda |t|) and a part that falls as exp(-lambda |t|). The
-   growing part is the beginning of A/cosh(lambda |t| - late), for late = ln(2 A/a), where a is this part at t = 0. On
-   the separatrix x0 may be large. There the falling part is 0, and a = 2 x0/(1 + c) with c = sqrt(1 - x0^2/A^2) =
-   |v0/(lambda x0)|. */
+   growing part has the value a at t = 0. It is the beginning of A/cosh(lambda |t| - late) with late = ln(2 A/a). Let w
+   be v0/lambda, with the sign of t. Next to x = 0 the growing part is a = (x0 + w)/2 and the falling part is (x0 -
+   w)/2. On the separatrix x0 may be large. There w = c x0 with c = sqrt(1 - x0^2/A^2), the falling part is 0, and a = 2
+   x0/(1 + c). The formulas a = 2 (x0 + w)/(1 + c)^2 and (c x0 - w)/2 hold in both cases. */
 VM_API void vmi_duffing_from_saddle(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     const vm_real A = VM_SQRT(-2 * c1 / c3), lambda = VM_SQRT(-c1), side = VM_COPYSIGN((vm_real)1, t);
-    const vm_real c = VM_SQRT(1 - (x0 / A) * (x0 / A)), from_v = side * v0 / lambda, whole = lambda * VM_FABS(t);
-    const vm_real a = 2 * (x0 + from_v) / ((1 + c) * (1 + c));
-    const vm_real falling = (c * x0 - from_v) / 2 * vmi_exp(-whole, 0);
+    const vm_real c = VM_SQRT(1 - (x0 / A) * (x0 / A)), w = side * v0 / lambda, whole = lambda * VM_FABS(t);
+    const vm_real a = 2 * (x0 + w) / ((1 + c) * (1 + c));
+    const vm_real falling = (c * x0 - w) / 2 * vmi_exp(-whole, 0);
     vm_real tanh_t = 0, sech_t = 0, unused, rising;
     if (a != 0) {
         const vm_two first = vmi_log(2 * A), second = vmi_log(VM_FABS(a));
@@ -15635,8 +15651,8 @@ VM_API void vmi_duffing_from_saddle(vm_real t, vm_real x0, vm_real v0, vm_real c
 }
 
 /* Writes position and velocity at time t of the motion x = A/cosh(lambda t) on the separatrix, with A^2 = -2 c1/c3 and
-   lambda^2 = -c1. Where the formula would lose digits, and where x0 is so small that the motion begins linearly, the
-   motion comes from vmi_duffing_from_saddle. */
+   lambda^2 = -c1. With b for the argument of cosh at t = 0, the formula needs 1 + tanh b tanh(lambda t). Where this sum
+   is small, and where x0 is so small that the motion begins linearly, vmi_duffing_from_saddle computes the motion. */
 VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x,
                                       vm_real *v)
 {
@@ -15645,7 +15661,7 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
     jacobi_sncndn_m1(lambda * t, 0, &tanh_t, &sech_t, &unused);
     if ((x0 / A) * (x0 / A) > VM_EPSILON) {
         tanh0 = -v0 / (lambda * x0);
-        both = 1 + tanh0 * tanh_t; /* cosh(a + b) = cosh a cosh b (1 + tanh a tanh b) */
+        both = 1 + tanh0 * tanh_t; /* cosh(b + a) = cosh b cosh a (1 + tanh b tanh a) */
     }
     if (!(both > VM_C(0.5))) {
         vmi_duffing_from_saddle(t, x0, v0, c1, c3, x, v);
@@ -15656,17 +15672,19 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
 }
 
 /* Exact motion x(t), v(t) of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from x0 (m) and v0 (m/s).
-   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. The errors of x and v are at most 32 eps of
-   the amplitude and of the largest velocity, times 1 + t/period, where the two terms of c1 + c3 A^2, and those of c1 +
-   c3 A^2/2, do not cancel. A is the amplitude. They cancel next to the separatrix of two wells (c1 < 0, c3 > 0), for
-   example where x0 and v0 are tiny. There, with lambda^2 = -c1, s = v0^2 - lambda^2 x0^2 + c3 x0^4/2 and r = (v0^2 +
-   lambda^2 x0^2)/|s|, the errors of x and v/lambda are at most 16 eps r (1 + lambda (|t| + period/4)) times the larger
-   of |x| and |v|/lambda. The factor r says how much rounding x0 and v0 changes the energy; where r eps is 1 or more,
-   the motion is taken for one on the separatrix or near it, on either side. If v0 and x0 are so small that v0^2 and c1
-   x0^2, or c3 s/c1^2, underflow, the motion is right until it comes back close to x = 0.
-   If the motion goes to infinity, or an argument is infinite or NaN, NaN is written to both x and v. The same holds for
-   c1 > 0, c3 < 0, A^2 = -c1/c3, the border of the motions that go to infinity. If x or v is a null pointer, nothing is
-   written. Equations: DLMF 22.19(ii). */
+   c1 = k1/m is in 1/s^2, c3 = k3/m in 1/(m s)^2; each may have either sign. Let A be the amplitude. The errors of x and
+   v are at most 32 eps of A and of the largest velocity, times 1 + t/period, where the two terms of c1 + c3 A^2, and
+   those of c1 + c3 A^2/2, do not cancel. They cancel next to the separatrix of two wells (c1 < 0, c3 > 0), for example
+   where x0 and v0 are tiny. There let lambda^2 = -c1, s = v0^2 - lambda^2 x0^2 + c3 x0^4/2 and r = (v0^2 + lambda^2
+   x0^2)/|s|. The errors of x and v/lambda are at most B = 16 eps r (1 + lambda (|t| + period/4)) times the larger of
+   |x| and |v|/lambda at time t, where B is below 1. The number r eps is about the relative change of the energy when x0
+   and v0 are rounded. Where it is 1 or more, the computed motion may be the separatrix, or on its other side. If c3
+   s/c1^2 is so small that numbers of this size lose digits, the motion is right until it comes back close to x = 0.
+   Results lose digits where A^4, c1^2, (c3 A^2)^2 or the square of the largest velocity underflows, and are NaN where
+   one of these numbers, lambda t or the action overflows; so choose a unit of length near A in float. NaN is also
+   written to x and v if the motion goes to infinity, which includes the border of such motions, A^2 = -c1/c3 with c1 >
+   0 and c3 < 0, and if an argument is infinite or NaN. If x or v is a null pointer, nothing is written. Equations: DLMF
+   22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;

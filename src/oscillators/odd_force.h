@@ -50,8 +50,8 @@ struct VM_TAG(vm_odd_force) {
     /* Writes the fields `size` and `place` of the orbit that contains a given state (x, v), and `m1`. For Duffing's
        force with two wells m1 comes from the energy; for all others it is 1, which means that it is not known. */
     int (*orbit_through)(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit);
-    /* Computes all other fields of an orbit from its fields `size` and `place`. If the size agrees with the m1 that is
-       already there, as after orbit_through, m1 may stay. */
+    /* Computes all other fields of an orbit from its fields `size` and `place`. It may keep the m1 that
+       orbit_through has written if the size agrees with it. */
     int (*complete)(vmi_orbit *orbit);
     /* Three functions for an orbit all of whose fields are set: `point` writes the point at theta, `phase` the phase of
        the state (x, v), and `at_phase` the state at the phase phi. */
@@ -559,9 +559,9 @@ VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
    force F per unit mass. The error of x, divided by the amplitude, and the error of v, divided by the largest velocity,
    are at most 1e-12 (float 1e-4) times 1 + t/period. Returns VM_BAD_ARGUMENT for null pointers and for a force that no
    constructor made, VM_NOT_FINITE for numbers or a force that are infinite or NaN, VM_DOMAIN where the user's function
-   fails, and VM_NO_LAW in three cases: where there is no vibration, on a separatrix (the border between two kinds of
-   vibration) and, for a user's function, close to one, and for a force that is not smooth. Close to the separatrix of
-   Duffing's force the errors are those of vm_duffing_exact_from. An error leaves *x and *v untouched. */
+   fails, and VM_NO_LAW where there is no vibration, on a separatrix (the border between two kinds of vibration), for
+   a user's function also close to a separatrix, and for a force that is not smooth. Close to the separatrix of a
+   Duffing force the errors are those of vm_duffing_exact_from. An error leaves *x and *v untouched. */
 VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, vm_real v0, vm_real *x, vm_real *v)
 {
     vmi_orbit orbit;

@@ -284,7 +284,6 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
    of S2 at the zeros of sa and of ca. Polynomials that only higher orders need become 0. */
 VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 {
-    if (r->has_polynomials) return;
     vmi_ripple_make_polynomials(r, order);
     r->at_ca_0 = 0;
     r->at_sa_0 = 0;
