@@ -338,6 +338,20 @@ static void test_restart_at_a_jump(void)
     check_error("sign force", m->name, "tol", error[1] / tol, is_float ? 100 : 2, 40, 0);
 }
 
+/* A restart at another time forgets that an event has just happened: a zero of g next to the new state is found, though g
+   is as small there as at the event before. */
+static void test_restart_next_to_a_zero(void)
+{
+    vm_real y = R(-0.5), work[RK87_WORK(1)];
+    ode_event e[1];
+    rk45_options o = with_events(1e-6, e, 1);
+    rk45 s;
+    e[0] = event(first, NULL, 0, ODE_STOP);
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, &y, &o, work) == ODE_OK && m->solve(&s, 2) == ODE_EVENT);
+    y = -VM_EPSILON / 256;
+    CHECK(m->restart(&s, s.t + 1, &y) == ODE_OK && m->solve(&s, s.t + 1) == ODE_EVENT && e[0].count == 2);
+}
+
 static void test_bad_events(void)
 {
     vm_real y0[1] = {0}, work[RK87_WORK(1)];
@@ -712,6 +726,7 @@ int main(void)
             bounce(0, 0); /* free fall is exact in any step; one of 100 falls so deep that it costs digits */
         if (noise == 1) test_zeno();
         test_restart_at_a_jump();
+        test_restart_next_to_a_zero();
         test_bad_events();
         for (action = ODE_RECORD; action <= ODE_RESTART; action++) {
             test_stop_after(action, 1);
