@@ -326,6 +326,30 @@ static void test_compound(void)
     }
 }
 
+/* Two point masses at the ends of a weightless rod, of which one is cut off: the rest has exactly the smallest possible
+   inertia, and rounding errors must not make it too small, in any units. */
+static void test_compound_of_points(void)
+{
+    int i;
+    for (i = 0; i < 1000; i++) {
+        const double unit = ldexp(1, 4 * (i % 5 - 2)), m1 = uniform(1, 3), m2 = uniform(1, 3);
+        const double x1 = unit * uniform(-3, 3), y1 = unit * uniform(-3, 3), x2 = unit * uniform(-3, 3), y2 = unit * uniform(-3, 3);
+        vm_compound_pendulum p;
+        vm_compound_part part;
+        vm_compound_cut c;
+        memset(&part, 0, sizeof part);
+        part.mass = R(m2);
+        part.x = R(x2);
+        part.y = R(y2);
+        p.mass = R(m1 + m2);
+        p.x = R((m1 * x1 + m2 * x2) / (m1 + m2));
+        p.y = R((m1 * y1 + m2 * y2) / (m1 + m2));
+        p.inertia = R(m1 * (x1 * x1 + y1 * y1) + m2 * (x2 * x2 + y2 * y2));
+        p.rate = 1;
+        CHECK(vm_compound_pendulum_separate(&p, &part, &c) == VM_OK);
+    }
+}
+
 /* The uniform rod of case D2, and the same cut by an axle in space */
 static void test_compound_D2(void)
 {
@@ -464,6 +488,7 @@ int main(void)
     test_vector_form();
     test_lagrange_form();
     test_compound();
+    test_compound_of_points();
     test_compound_D2();
     test_bad_compounds();
     test_short_rest();
