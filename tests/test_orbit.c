@@ -180,7 +180,7 @@ static void test_scene(int plane)
     bodies[2] = vm_scene_body_point(5, vm_add(far_away, vector(1, 0, 0)), up);
     effects[0] = vm_effect_mass_of_time(0, &first, zero, 0);
     effects[1] = vm_effect_mass_of_time(1, &second, zero, 0);
-    effects[2] = vm_effect_gravitation(0, 1, R(.3));
+    effects[2] = vm_effect_gravitation(plane, 1 - plane, R(.3)); /* of either body first */
     effects[3] = vm_effect_central_gravity(2, far_away, R(1.5));
     stage.bodies = bodies;
     stage.n_bodies = 3;

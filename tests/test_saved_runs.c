@@ -151,12 +151,13 @@ static void test_refusals(const method *m, const method *other)
     CHECK(m->solve(&a.s, 1) == ODE_OK);
     CHECK(m->save(NULL, BYTES, bytes) == ODE_BAD_ARGUMENT && m->save(&a.s, BYTES, NULL) == ODE_BAD_ARGUMENT);
     CHECK(m->save(&a.s, -1, bytes) == ODE_BAD_ARGUMENT && other->save(&a.s, BYTES, bytes) == ODE_BAD_ARGUMENT);
+    CHECK(m->save(&a.s, 0, bytes) == ODE_WORK_TOO_SMALL);
     CHECK(m->save(&a.s, 100, bytes) == ODE_WORK_TOO_SMALL && m->save(&a.s, BYTES, bytes) == ODE_OK);
     begin(m, &b);
     begin(m, &untouched);
     CHECK(m->resume(NULL, BYTES, bytes) == ODE_BAD_ARGUMENT && m->resume(&b.s, BYTES, NULL) == ODE_BAD_ARGUMENT);
     CHECK(other->resume(&b.s, BYTES, bytes) == ODE_BAD_ARGUMENT && m->resume(&b.s, -1, bytes) == ODE_BAD_ARGUMENT);
-    CHECK(m->resume(&b.s, 100, bytes) == ODE_WORK_TOO_SMALL);
+    CHECK(m->resume(&b.s, 100, bytes) == ODE_WORK_TOO_SMALL && m->resume(&b.s, 0, bytes) == ODE_WORK_TOO_SMALL);
     bytes[200] ^= 1; /* a damaged byte */
     CHECK(m->resume(&b.s, BYTES, bytes) == ODE_BAD_ARGUMENT);
     bytes[200] ^= 1;
