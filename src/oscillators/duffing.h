@@ -50,9 +50,9 @@ VM_API vm_real vmi_duffing_above(vm_real c3, vm_real slope, vm_real v)
     return VM_NAN;
 }
 
-/* Returns c3 s/c1^2 for a state between two wells, where s = v^2 + c1 x^2 + c3 x^4/2 is twice the energy per unit mass.
-   The result is 0 on the separatrix, positive outside it and negative in a well. No product underflows before the
-   result does. */
+/* Returns c3 s/c1^2 for a state of a spring with two wells, where s = v^2 + c1 x^2 + c3 x^4/2 is twice the energy per
+   unit mass. The result is 0 on the separatrix, positive outside it and negative in a well. No product underflows
+   before the result does. */
 VM_API vm_real vmi_duffing_energy_ratio(const vm_odd_force *force, vm_real x, vm_real v)
 {
     const vm_real k1 = force->k1, k3 = force->k3, ratio = k3 / k1;
@@ -77,7 +77,7 @@ VM_API vm_real vmi_duffing_m1(vm_real q)
 VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const vm_real k1 = force->k1, k3 = force->k3, slope = k1 + k3 * (x * x);
-    vm_real above, q = 2;
+    vm_real above, q = 2; /* far from a separatrix */
     if (k1 < 0 && k3 > 0) q = vmi_duffing_energy_ratio(force, x, v);
     orbit->force = force;
     orbit->place = VMI_ORBIT_AROUND_0;
