@@ -333,7 +333,8 @@ static void test_compound_of_points(void)
     int i;
     for (i = 0; i < 1000; i++) {
         const double unit = ldexp(1, 4 * (i % 5 - 2)), m1 = uniform(1, 3), m2 = uniform(1, 3);
-        const double x1 = unit * uniform(-3, 3), y1 = unit * uniform(-3, 3), x2 = unit * uniform(-3, 3), y2 = unit * uniform(-3, 3);
+        const double x1 = unit * uniform(-3, 3), y1 = unit * uniform(-3, 3);
+        const double x2 = unit * uniform(-3, 3), y2 = unit * uniform(-3, 3);
         vm_compound_pendulum p;
         vm_compound_part part;
         vm_compound_cut c;

@@ -100,7 +100,7 @@ VM_API int vmi_duffing_through(const vm_odd_force *force, vm_real x, vm_real v, 
 
 /* -- The shape of an orbit -- */
 
-/* VMI_DUFFING_CLOSE(m1) is 1 for an orbit so close to the separatrix that its size gives 1 - m with fewer digits. */
+/* VMI_DUFFING_CLOSE(m1) is 1 for an orbit next to the separatrix, where 1 - m loses digits if the size gives it. */
 #define VMI_DUFFING_CLOSE(m1) ((m1) < VM_C(0.25))
 
 /* Returns 1 if an orbit of size > 0 is the separatrix, else 0. The separatrix is the motion x = A/cosh(lambda t), which
