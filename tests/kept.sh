@@ -1,11 +1,12 @@
 # What checks of hours share, which run all tests in other ways than make test. To be sourced once $kept is set, a folder: a test
-# that passed is kept there, so that a run that was broken off goes on where it was. A test stays kept while the headers, the files
-# that tests share and the test stay as they are.
+# that passed is kept there, so that a run that was broken off goes on where it was. A test stays kept while the code of the
+# headers (bench/stamp.sh), the files that tests share and the test stay as they are.
+stamp=$(sh bench/stamp.sh of jacobi ateb integrators varmass)
 shared=$(ls tests/*.h tests/data/*.h tests/hard/* tests/cross/* examples/*.h examples/scenes/*.h | grep -v /eva_)
 mkdir -p "$kept" || exit 1
 
 kept_file() { echo "$kept/$(echo "$1.$2" | tr -c 'a-zA-Z0-9_.\n' -)"; } # kept_file RUN TEST
-sources_of() { cat jacobi.h ateb.h integrators.h varmass.h $shared "tests/test_$1.c" | cksum; } # sources_of TEST
+sources_of() { { echo "$stamp" && cat $shared "tests/test_$1.c"; } | cksum; } # sources_of TEST
 is_kept() { [ "$(head -n 1 "$(kept_file "$1" "$2")" 2>/dev/null)" = "$(sources_of "$2")" ]; }   # is_kept RUN TEST
 keep() { printf '%s\n%s\n' "$(sources_of "$2")" "$3" >"$(kept_file "$1" "$2")"; } # keep RUN TEST WORD
 kept_word() { sed -n 2p "$(kept_file "$1" "$2")"; }                               # kept_word RUN TEST: the word kept with it
