@@ -141,9 +141,9 @@ static double detest_error(const method *m, const detest_problem *p, const doubl
 }
 
 /* Bounds of the errors of DETEST's classes A to E in units of the tolerance, by rk45 and rk87: in double, in float. They are
-   twice the largest error that was measured when the errors were last looked at. */
+   twice the largest error that was measured when the errors were last looked at, with and without fused multiply-adds. */
 static const double detest_bounds[2][METHODS][5] = {{{6, 18, 3, 150, 26}, {4, 11, 0.3, 20, 9}},
-                                                    {{5, 130, 4, 550, 100}, {1.1, 25, 0.3, 90, 20}}};
+                                                    {{5, 135, 4, 550, 120}, {2.2, 25, 0.4, 70, 80}}};
 
 /* DETEST's smooth problems: the errors at the end, at tolerances from 1e-6 to 1e-12 */
 static void test_detest(void)
