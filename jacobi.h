@@ -4397,8 +4397,8 @@ VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
 }
 
 /* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. The result is odd in x. The error is
-   at most 8 ulp. For m = 1 the function is the inverse of tanh, infinite for |x| = 1. Returns 0 for m = -infinity, and
-   NaN for |x| > 1 and for m > 1. DLMF 22.15.12. */
+   at most 8 ulp; for |x| = 1 the result may exceed K by as much. For m = 1 the function is the inverse of tanh,
+   infinite for |x| = 1. Returns 0 for m = -infinity, and NaN for |x| > 1 and for m > 1. DLMF 22.15.12. */
 VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
 
 /* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.

@@ -240,7 +240,8 @@ static trial try_inverse_sn(random_bits *g)
 {
     const vm_real m = random_m(g), x = uniform(g, -1, 1), u = jacobi_inverse_sn(x, m), K = jacobi_K(m);
     const vm_real other = jacobi_inverse_cn(VM_FABS(x), m) + jacobi_inverse_sn(0, m);
-    return result(x, m, 0, VM_FABS(u) <= K && jacobi_inverse_sn(-x, m) == -u && other >= 0 && other <= K * (1 + 8 * EPS));
+    return result(x, m, 0, VM_FABS(u) <= K * (1 + 8 * EPS) && jacobi_inverse_sn(-x, m) == -u && other >= 0 &&
+                      other <= K * (1 + 8 * EPS));
 }
 
 static trial try_carlson(random_bits *g)
