@@ -3070,9 +3070,10 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
     vm_two A = a, B = b, S = vmi_two_plus(a, b), rise, ln_SA, ln_SB, sum;
     vm_real delta;
     int i, j, k;
+    /* (a)_i (b)_j/(S)_k, where (a)_i (b)_j alone would underflow in float for a b < 1e-42 */
     rise = vmi_beta_rise(&A, &i);
-    rise = vmi_two_times(rise, vmi_beta_rise(&B, &j));
     rise = vmi_two_over(rise, vmi_beta_rise(&S, &k));
+    rise = vmi_two_times(rise, vmi_beta_rise(&B, &j));
     ln_SA = vmi_two_log(vmi_two_over(S, A));
     ln_SB = vmi_two_log(vmi_two_over(S, B));
     sum = vmi_two_scaled(vmi_two_log(vmi_two_times(A, vmi_two_over(B, S))), (vm_real)(k - i - j) + VM_C(0.5));

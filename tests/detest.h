@@ -18,7 +18,13 @@
 #define DETEST_REAL vm_real
 /* In float, too, functions of the C library are computed in double: rounded to float, they are the same in all libraries. The
    last bit of sin changes the steps of rk87 on E3, and the error at their end between 0.4 and 83 tolerances. */
-#define DETEST_MATH(name) (vm_real) name
+#define DETEST_MATH(name) detest_##name
+#define DETEST_ROUNDED(name) \
+    static vm_real detest_##name(vm_real x) { return (vm_real)name((double)x); }
+DETEST_ROUNDED(sin)
+DETEST_ROUNDED(cos)
+DETEST_ROUNDED(sqrt)
+DETEST_ROUNDED(cbrt)
 #define DETEST_PIECE(t) VM_FLOOR(t) /* the right-hand sides of class F are smooth between two whole numbers */
 #endif
 #define DETEST_C(x) ((DETEST_REAL)(x))

@@ -367,6 +367,19 @@ static void test_times_sum(void)
     }
 }
 
+/* Where x is 1, 0 or k' the inverse is K, with the same bits. */
+static void test_inverses_at_the_end(void)
+{
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const vm_real m = R(i % 2 ? uniform(0, 1) : 1 - pow(2, uniform(-20, 40))), K = jacobi_K(m), K1 = jacobi_K_m1(1 - m);
+        CHECK(jacobi_inverse_sn(1, m) == K && jacobi_inverse_sn(-1, m) == -K && jacobi_inverse_cn(0, m) == K);
+        CHECK(jacobi_inverse_sn_m1(1, 1 - m) == K1 && jacobi_inverse_cn_m1(0, 1 - m) == K1);
+    }
+    CHECK(jacobi_inverse_dn(R(0.5), R(0.75)) == jacobi_K(R(0.75)) && jacobi_inverse_dn(3, -8) == jacobi_K(-8));
+    CHECK(jacobi_inverse_dn_m1(R(0.25), R(0.0625)) == jacobi_K_m1(R(0.0625)));
+}
+
 static void test_limits(void)
 {
     const vm_real inf = VM_INFINITY, half = R(0.5);
@@ -529,6 +542,7 @@ int main(void)
     test_complete_from_m1();
     test_poles();
     test_times_sum();
+    test_inverses_at_the_end();
     test_limits();
     test_quotients();
     test_domain();

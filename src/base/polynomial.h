@@ -20,17 +20,21 @@
 /* The power of two by which a number of this modulus is divided before its powers are computed; 1 for small numbers */
 VM_API vm_real vmi_poly_unit(vm_real modulus) { return vmi_power_below(vmi_larger(modulus, 1)); }
 
-/* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
-   for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
-   approximations from converging to one root. The correction is 0 if the value of the polynomial is so small that
-   rounding errors alone may have caused it. A root above 1 is computed as a multiple of a power of two, the unit, so
-   that its powers do not overflow. */
-VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
+/* A polynomial at one point. The point is computed as a multiple z of a power of two, the unit, and the polynomial of
+   degree n is divided by unit^n. So the powers of a large root do not overflow. */
+typedef struct vmi_poly_value {
+    vm_real unit;
+    vm_complex value, slope; /* of the divided polynomial; the slope is its derivative by z */
+    vm_real size; /* the sum of the moduli of the terms whose sum is the value */
+} vmi_poly_value;
+
+VM_API vmi_poly_value vmi_poly_at(int n, const vm_real *c, vm_real re, vm_real im)
 {
-    const vm_real unit = vmi_poly_unit(vmi_hypot(re[i], im[i])), modulus = vmi_hypot(re[i], im[i]) / unit;
-    const vm_complex z = vmi_complex(re[i] / unit, im[i] / unit), one = vmi_complex(1, 0);
-    vm_complex p = vmi_complex(c[0], 0), slope = vmi_complex(0, 0), others = slope;
+    const vm_real unit = vmi_poly_unit(vmi_hypot(re, im)), modulus = vmi_hypot(re, im) / unit;
+    const vm_complex z = vmi_complex(re / unit, im / unit);
+    vm_complex p = vmi_complex(c[0], 0), slope = vmi_complex(0, 0);
     vm_real size = VM_FABS(c[0]), share = 1;
+    vmi_poly_value at;
     int j;
     for (j = 1; j <= n; j++) {
         const vm_complex q = vmi_c_times(slope, z);
@@ -40,35 +44,48 @@ VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, cons
         p.re += c[j] * share;
         size = size * modulus + VM_FABS(c[j] * share);
     }
-    if (VM_FABS(p.re) + VM_FABS(p.im) <= VM_EPSILON * size && size <= VM_MAX) return vmi_complex(0, 0);
+    at.unit = unit;
+    at.value = p;
+    at.slope = slope;
+    at.size = size;
+    return at;
+}
+
+/* Returns 1 if the value is at most so many rounding errors of its terms, else 0. */
+VM_API int vmi_poly_is_rounding(const vmi_poly_value *at, vm_real errors)
+{
+    return VM_FABS(at->value.re) + VM_FABS(at->value.im) <= errors * VM_EPSILON * at->size && at->size <= VM_MAX;
+}
+
+/* Returns the correction that must be subtracted from the approximate root number i. It is a step of Newton's method
+   for the polynomial divided by all z - z_j, where z_j are the other approximate roots. This division keeps two
+   approximations from converging to one root. The correction is 0 if the value of the polynomial is so small that
+   rounding errors alone may have caused it. */
+VM_API vm_complex vmi_poly_step(int n, const vm_real *c, const vm_real *re, const vm_real *im, int i)
+{
+    const vmi_poly_value at = vmi_poly_at(n, c, re[i], im[i]);
+    const vm_complex one = vmi_complex(1, 0);
+    vm_complex others = vmi_complex(0, 0);
+    int j;
+    if (vmi_poly_is_rounding(&at, 1)) return vmi_complex(0, 0);
     for (j = 0; j < n; j++) {
-        const vm_complex apart = vmi_complex((re[i] - re[j]) / unit, (im[i] - im[j]) / unit);
+        const vm_complex apart = vmi_complex((re[i] - re[j]) / at.unit, (im[i] - im[j]) / at.unit);
         vm_complex inverse;
         if (j == i || (apart.re == 0 && apart.im == 0)) continue;
         inverse = vmi_c_over(one, apart);
         others.re += inverse.re;
         others.im += inverse.im;
     }
-    others = vmi_c_times(p, others);
-    return vmi_c_scale(unit, vmi_c_over(p, vmi_complex(slope.re - others.re, slope.im - others.im)));
+    others = vmi_c_times(at.value, others);
+    return vmi_c_scale(at.unit, vmi_c_over(at.value, vmi_complex(at.slope.re - others.re, at.slope.im - others.im)));
 }
 
 /* Returns 1 if the value of the polynomial at the number re + i im is 0 or so small that rounding errors alone may have
    caused it, else 0. */
 VM_API int vmi_poly_is_root(int n, const vm_real *c, vm_real re, vm_real im)
 {
-    const vm_real unit = vmi_poly_unit(vmi_hypot(re, im)), modulus = vmi_hypot(re, im) / unit;
-    const vm_complex z = vmi_complex(re / unit, im / unit);
-    vm_complex p = vmi_complex(c[0], 0);
-    vm_real size = VM_FABS(c[0]), share = 1;
-    int j;
-    for (j = 1; j <= n; j++) {
-        share /= unit;
-        p = vmi_c_times(p, z);
-        p.re += c[j] * share;
-        size = size * modulus + VM_FABS(c[j] * share);
-    }
-    return VM_FABS(p.re) + VM_FABS(p.im) <= (vm_real)(4 * n) * VM_EPSILON * size && size <= VM_MAX;
+    const vmi_poly_value at = vmi_poly_at(n, c, re, im);
+    return vmi_poly_is_rounding(&at, (vm_real)(4 * n));
 }
 
 /* Exchanges the roots i and j. */

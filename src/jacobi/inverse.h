@@ -16,26 +16,30 @@
 #include "carlson.h"
 #include "integrals.h"
 
-/* Returns the inverse of sn for 1 - m = m1. The difference 1 - x^2 is computed as the product (1 - x)(1 + x), so that
-   no digits are lost. */
-VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1)
+/* Returns the inverse of sn for 1 - m = m1 + m1_lo, a number in two words. The difference 1 - x^2 is computed as the
+   product (1 - x)(1 + x), so that no digits are lost. */
+VM_API vm_real vmi_inverse_sn(vm_real x, vm_real m1, vm_real m1_lo)
 {
     const vm_real cc = (1 - x) * (1 + x);
     if (!(VM_FABS(x) <= 1) || !(m1 >= 0)) return VM_NAN;
     if (!VM_IS_FINITE(m1)) return 0 * x;
-    if (cc == 0 && m1 == 0) return x * VM_INFINITY;
+    if (cc == 0) return x * vmi_K(m1, m1_lo);
     return x * vmi_rf(cc, cc + m1 * (x * x), 1);
 }
 
 /* The inverse of sn: u with sn(u | m) = x and |u| <= K, for |x| <= 1 and m <= 1. The result is odd in x. The error is
-   at most 8 ulp; for |x| = 1 the result may exceed K by as much. For m = 1 the function is the inverse of tanh,
+   at most 8 ulp; for x = 1 the result has the same bits as jacobi_K(m). For m = 1 the function is the inverse of tanh,
    infinite for |x| = 1. Returns 0 for m = -infinity, and NaN for |x| > 1 and for m > 1. DLMF 22.15.12. */
-VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m) { return vmi_inverse_sn(x, 1 - m); }
+VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m)
+{
+    const vm_two m1 = vmi_two_sum(1, -m);
+    return vmi_inverse_sn(x, m1.hi, m1.lo);
+}
 
 /* The inverse of sn from the complementary parameter m1 = 1 - m >= 0.
    Domain and accuracy are those of jacobi_inverse_sn. Use it for m close to 1, where the difference 1 - m would lose
    digits. */
-VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1); }
+VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1, 0); }
 
 /* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x >= 0 the inverse is at most K. For
    x < 0 it is 2 K minus the inverse at |x|. */
@@ -45,16 +49,16 @@ VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
     vm_real u;
     if (!(VM_FABS(x) <= 1) || !(m1 >= 0)) return VM_NAN;
     if (!VM_IS_FINITE(m1)) return 0;
-    if (m1 == 0 && x == 0) return VM_INFINITY;
     if (m1 == 0 && x < 0) return VM_NAN;
+    if (x == 0) return vmi_K(m1, m1_lo);
     u = VM_SQRT(ss) * vmi_rf(cc, cc + m1 * ss, 1);
     if (x < 0) return 2 * vmi_K(m1, m1_lo) - u;
     return u;
 }
 
-/* The inverse of cn: u with cn(u | m) = x and 0 <= u <= 2K, for |x| <= 1 and m <= 1. The error is at most 8 ulp. For
-   m = 1 the function is the inverse of 1/cosh, infinite for x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and
-   NaN for |x| > 1 and for m > 1. DLMF 22.15.13. */
+/* The inverse of cn: u with cn(u | m) = x and 0 <= u <= 2K, for |x| <= 1 and m <= 1. The error is at most 8 ulp; for
+   x = 0 the result has the same bits as jacobi_K(m). For m = 1 the function is the inverse of 1/cosh, infinite for
+   x = 0 and NaN for x < 0. Returns 0 for m = -infinity, and NaN for |x| > 1 and for m > 1. DLMF 22.15.13. */
 VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -68,7 +72,7 @@ VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_
 
 /* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, s^2 is
    (1 - x^2)/m, and c^2 is (x^2 - m1)/m. The difference x^2 - m1 is computed from the exact square of x. If x is the
-   rounded value of k', the computed c^2 may be negative, and s^2 above 1; then c is taken as 0, and s as 1. */
+   rounded value of k', the computed c^2 may be negative, and s^2 above 1; then c is 0, and the inverse is K. */
 VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
 {
     const vm_real bound = VM_SQRT(m1);
@@ -76,9 +80,9 @@ VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
     vm_real ss, cc;
     if (!(x >= vmi_smaller(bound, 1) && x <= vmi_larger(bound, 1)) || !(m1 >= 0)) return VM_NAN;
     if (x == 1) return 0;
-    if (m1 == 0 && x == 0) return VM_INFINITY;
+    cc = ((square.hi - m1) + (square.lo - m1_lo)) / m;
+    if (!(cc > 0)) return vmi_K(m1, m1_lo);
     ss = vmi_smaller((1 - x) * (1 + x) / m, 1);
-    cc = vmi_larger(((square.hi - m1) + (square.lo - m1_lo)) / m, 0);
     return VM_SQRT(ss) * vmi_rf(cc, square.hi, 1);
 }
 

@@ -21,7 +21,7 @@
    m > 1 they are
      sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
    For m > 1 the error is at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
-   u| <= 100 K(1/m)/k. Returns NaN for infinite m. For m > 1 the product k u is computed in two words. Its second word,
+   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. For m > 1 the product k u is computed in two words. Its second word,
    the variable h, changes sn, cn and dn a little; two terms of their Taylor series in h add this change. */
 VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {

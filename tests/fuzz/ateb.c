@@ -148,6 +148,7 @@ static void check_ln_beta(vm_real x, vm_real a, vm_real b, vm_real B, vm_real p)
     const vm_real ln_B = ateb_ln_beta(a, b), ln_p = ateb_ln_beta_inc(x, a, b);
     if (B > VM_MIN / VM_EPSILON && is_finite(B))
         HOLDS(within(ln_B, R(log((double)B)), 4 * EPS * (1 + fabs((double)ln_B))));
+    if (a >= R(1e-30) && a <= R(1e30) && b >= R(1e-30) && b <= R(1e30)) HOLDS(is_finite(ln_B));
     HOLDS(ln_p <= 0);
     if (p > VM_MIN / VM_EPSILON && a >= R(1e-3) && a <= R(1e4) && b >= R(1e-3) && b <= R(1e4))
         HOLDS(within(ln_p, R(log((double)p)), 64 * EPS * (1 + fabs((double)ln_p))));
