@@ -51,7 +51,7 @@ VM_API vmi_poly_value vmi_poly_at(int n, const vm_real *c, vm_real re, vm_real i
     return at;
 }
 
-/* Returns 1 if the value is at most so many rounding errors of its terms, else 0. */
+/* Returns 1 if the value is at most `errors` times eps size, which rounding errors of its terms may cause, else 0. */
 VM_API int vmi_poly_is_rounding(const vmi_poly_value *at, vm_real errors)
 {
     return VM_FABS(at->value.re) + VM_FABS(at->value.im) <= errors * VM_EPSILON * at->size && at->size <= VM_MAX;

@@ -91,7 +91,7 @@ static int same_size(vm_real a, vm_real b, double epsilons)
     return VM_FABS(a - b) <= R(epsilons) * EPS * size;
 }
 
-/* m1 = 1 - m: mostly tiny, so that m is next to 1 */
+/* A complementary parameter m1 = 1 - m. Most of them are so small that m is next to 1. */
 static vm_real random_m1(random_bits *g) { return of_size(g, IS_FLOAT ? -100 : -1000, 1); }
 
 #endif

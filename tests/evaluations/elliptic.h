@@ -38,14 +38,21 @@ static trial try_incomplete(random_bits *g)
                       (x == 0 || (jacobi_F(next_up(x), m) >= F * (1 - 16 * EPS) && F * (E / x) >= x * (1 - 32 * EPS))));
 }
 
-/* Pi lies between F and F/(1 - n) */
+/* A characteristic n of Pi, for which 1 - n lies between 2^-10 and 2^20 */
+static vm_real random_n(random_bits *g) { return 1 - of_size(g, -10, 20); }
+
+/* Pi lies between F and F/(1 - n). */
+static int is_Pi(vm_real P, vm_real F, vm_real n)
+{
+    const vm_real bound = F / (1 - n);
+    if (n < 0) return P <= F * (1 + 20 * EPS) && P >= bound * (1 - 20 * EPS);
+    return P >= F * (1 - 20 * EPS) && P <= bound * (1 + 20 * EPS);
+}
+
 static trial try_Pi(random_bits *g)
 {
-    const vm_real m = random_m(g), n = 1 - of_size(g, -10, 20), x = VM_FABS(random_phase(g, R(1.5707963267948966)));
-    const vm_real F = jacobi_F(x, m), P = jacobi_Pi_incomplete(x, n, m), bound = F / (1 - n);
-    return result(x, n, m,
-                  n < 0 ? P <= F * (1 + 20 * EPS) && P >= bound * (1 - 20 * EPS)
-                        : P >= F * (1 - 20 * EPS) && P <= bound * (1 + 20 * EPS));
+    const vm_real m = random_m(g), n = random_n(g), x = VM_FABS(random_phase(g, R(1.5707963267948966)));
+    return result(x, n, m, is_Pi(jacobi_Pi_incomplete(x, n, m), jacobi_F(x, m), n));
 }
 
 static trial try_carlson(random_bits *g)
@@ -105,17 +112,6 @@ static trial try_incomplete_m1(random_bits *g)
     const vm_real m1 = random_m1(g), x = VM_FABS(random_phase(g, R(1.5707963267948966)));
     const vm_real F = jacobi_F_m1(x, m1), E = jacobi_E_incomplete_m1(x, m1), D = jacobi_D_incomplete_m1(x, m1);
     return result(x, m1, 0, F >= 0 && E >= 0 && D >= 0 && makes_K(F, E, D, 1 - m1));
-}
-
-/* 1 - n, the factor between the bounds of Pi: 2^-10 to 2^20 */
-static vm_real random_n(random_bits *g) { return 1 - of_size(g, -10, 20); }
-
-/* Pi lies between F and F/(1 - n). */
-static int is_Pi(vm_real P, vm_real F, vm_real n)
-{
-    const vm_real bound = F / (1 - n);
-    if (n < 0) return P <= F * (1 + 20 * EPS) && P >= bound * (1 - 20 * EPS);
-    return P >= F * (1 - 20 * EPS) && P <= bound * (1 + 20 * EPS);
 }
 
 static trial try_Pi_complete(random_bits *g)
