@@ -19,6 +19,7 @@
 #   make test-cross   the same bits and the tests on every target (hours)
 #   make test-fuzz SECONDS=n   all functions fuzzed      make evaluations COUNT=n   n of each special function
 #   make test-events RUNS=n   n random runs whose events coincide (a minute for 300000)
+#   make test-refusals ROUNDS=n   each function n times with numbers of any size (three minutes for 100000)
 #   make test-threads   everything from many threads, under ThreadSanitizer
 #   make coverage   lines and branches that the tests execute       make test-mutate SEED=n MUTANTS=n   wrong headers
 #   make test-sanitize   sanitizers, valgrind, static analysers      make proof   abstract interpretation by Frama-C
@@ -65,7 +66,7 @@ RUN_TESTS = @rm -f $(1); $(MAKE) -s -k $(if $(findstring jobserver,$(MAKEFLAGS))
 TEST_FILES = build/command $(HEADERS) $(wildcard tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h)
 GSL_CHECK = echo '\#include <gsl/gsl_sf.h>' | $(CC) -E -
 
-.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan routes points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof proof-kernels packages site docs check-docs campaigns counts hard-cases promises numbers peers test-gpu
+.PHONY: headers part parts-table law duffing van-der-pol toronto tables validation test-events test-refusals test-readme scaling wasm first-steps sweep firmware firmware-table test-cross install uninstall amalgamation run test test-all scan routes points exhaustive lint bench measurements figures data clean bench-quick bench-count cost scene-sizes test-fuzz evaluations test-threads coverage test-mutate test-sanitize proof proof-kernels packages site docs check-docs campaigns counts hard-cases promises numbers peers test-gpu
 
 headers:
 	@mkdir -p build && echo '*' >build/.gitignore
@@ -227,6 +228,13 @@ evaluations:
 RUNS = 1000000
 test-events: build/tests/double/coincidences build/tests/float/coincidences
 	for precision in double float; do ./build/tests/$$precision/coincidences $(RUNS) || exit 1; done
+
+# a campaign of minutes: ROUNDS calls of each function with numbers of any size, which it must refuse or compute with
+ROUNDS = 100000
+REFUSALS = $(filter-out refusals_scenes,$(filter refusals_%,$(TESTS)))
+test-refusals: $(REFUSALS:%=build/tests/double/%) $(REFUSALS:%=build/tests/float/%)
+	@sh tests/run.sh one build/refusals.log $(foreach program,$^,"./$(program) $(ROUNDS)")
+	@sh tests/run.sh sum build/refusals.log >build/refusals.sum
 
 # everything from many threads at once, under ThreadSanitizer
 test-threads:

@@ -18,6 +18,7 @@ routes; ateb jacobi integrators varmass; make routes; passed, ; errors and estim
 exhaustive; ateb jacobi; make exhaustive; passed, ; errors of functions in float, at every float within one period
 evaluations; ateb jacobi varmass; make evaluations; ^all|violations; whether the special functions keep to their ranges, symmetries and identities at random arguments
 events; integrators; make test-events; passed, ; whether integrators find every event exactly once, in random runs whose events coincide, jump or vanish
+refusals; ateb jacobi integrators varmass; make test-refusals; passed, ; whether each function, called with random numbers of any size, refuses them or gives finite results
 threads; ateb jacobi integrators varmass; make test-threads; passed|equal; whether eight threads at once compute results with the same bits as one thread, under ThreadSanitizer
 coverage; ateb jacobi integrators varmass; make coverage; [.]h ; how many lines the tests execute, and how many outcomes of conditions occur in the tests
 mutation; ateb jacobi integrators varmass; make test-mutate; caught, ; how many deliberate errors in the headers the tests notice

@@ -119,12 +119,14 @@ COUNT(vm_torque_free_at, vm_torque_free_at(&motion, 100 * p[i], &rest); a = rest
 static vm_osc_problem problem;
 static vm_osc_plan oscillator;
 static vm_osc_motion now;
+static vm_osc_closed closed; /* the law of order five for alpha = 4/3 */
 COUNT(vm_osc_exact, vm_osc_exact(10 * p[i], 1, 1, alpha[i], &a, &b))
 COUNT(vm_osc_period, a = vm_osc_period(1, 1, alpha[i]))
 COUNT(vm_osc_amplitude_law, a = vm_osc_amplitude_law(1 + p[i], 0, 1, alpha[i]))
 COUNT(vm_osc_at_to_1e_3, vm_osc_within(&problem, 10 + 300 * p[i], VM_C(1e-3), &now); a = now.x)
 COUNT(vm_osc_plan_init, vm_osc_plan_init(&oscillator, &problem))
 COUNT(vm_osc_plan_at_to_1e_3, vm_osc_plan_within(&oscillator, 10 + 300 * p[i], VM_C(1e-3), &now); a = now.x)
+COUNT(vm_osc_closed_at_4_3, vm_osc_closed_at(&closed, 10 + 300 * p[i], &a, &b))
 
 static vm_odd_problem duffing;
 static vm_odd_plan duffing_plan;
@@ -181,11 +183,13 @@ static void set_up(void)
     piece2.x = VM_C(0.4);
     piece2.vx = 10;
     piece2.vy = 2;
-    problem.alpha = 3;
+    problem.alpha = VM_C(4.0) / 3;
     problem.mass = vm_law_linear(1, VM_C(0.01));
     problem.stiffness = vm_law_linear(1, 0);
     problem.reactive = 1;
     problem.x = 1;
+    vm_osc_closed_init(&closed, &problem, 5, 400);
+    problem.alpha = 3;
     duffing.force = vm_duffing_force(1, VM_C(0.5));
     duffing.mass = vm_law_linear(1, VM_C(0.002));
     duffing.stiffness = vm_law_linear(1, 0);
@@ -275,6 +279,7 @@ int main(void)
                                            count_vm_osc_at_to_1e_3,
                                            count_vm_osc_plan_init,
                                            count_vm_osc_plan_at_to_1e_3,
+                                           count_vm_osc_closed_at_4_3,
                                            count_vm_duffing_exact_from,
                                            count_vm_odd_plan_init,
                                            count_vm_odd_plan_mean,

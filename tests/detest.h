@@ -17,7 +17,7 @@
 #ifndef DETEST_REAL
 #define DETEST_REAL vm_real
 /* In float, too, functions of the C library are computed in double: rounded to float, they are the same in all libraries. The
-   last bit of sin changes the steps of rk87 on E3, and the error at their end between 0.4 and 83 tolerances. */
+   last bit of sin matters: on E3 it changes the steps of rk87, and with them the error at the end by a large factor. */
 #define DETEST_MATH(name) detest_##name
 #define DETEST_ROUNDED(name) \
     static vm_real detest_##name(vm_real x) { return (vm_real)name((double)x); }

@@ -14,21 +14,29 @@ void eva_forces(void)
     sink[4] = x + y;
 }
 
+/* a scene of two bodies, not yet started */
+static vm_scene two_bodies(vm_scene_body *bodies, vm_effect *effects, int n_effects)
+{
+    vm_scene s;
+    memset(&s, 0, sizeof s);
+    s.bodies = bodies;
+    s.n_bodies = 2;
+    s.effects = effects;
+    s.n_effects = n_effects;
+    return s;
+}
+
 void eva_scene(void)
 {
     vm_scene s;
     vm_scene_body bodies[2];
     vm_effect effects[2];
     vm_real y[32], rates[32];
-    memset(&s, 0, sizeof s);
     bodies[0] = vm_scene_body_line(any, any, any);
     bodies[1] = vm_scene_body_plane(any, any, any_vector(), any, any_vector(), any);
     effects[0] = vm_effect_gravity(0, 0, any);
     effects[1] = vm_effect_spring(0, 0, 1, 0, any, any, any);
-    s.bodies = bodies;
-    s.n_bodies = 2;
-    s.effects = effects;
-    s.n_effects = 2;
+    s = two_bodies(bodies, effects, 2);
     if (vm_scene_start(&s, any, y, NULL) < 0) return;
     if (vm_scene_rhs(any, y, rates, &s) >= 0) sink[0] = rates[0];
 }
@@ -95,13 +103,9 @@ void scene_of(vm_scene_body first, vm_scene_body second, vm_effect effect)
     vm_body now = any_body();
     int i;
     for (i = 0; i < 64; i++) y[i] = rates[i] = any;
-    memset(&s, 0, sizeof s);
     bodies[0] = first;
     bodies[1] = second;
-    s.bodies = bodies;
-    s.n_bodies = 2;
-    s.effects = &effect;
-    s.n_effects = 1;
+    s = two_bodies(bodies, &effect, 1);
     if (vm_scene_start(&s, any, y, NULL) < 0) return;
     if (vm_scene_rhs(any, y, rates, &s) >= 0) sink[0] = rates[0];
     vm_scene_body_at(&s, 0, y, &now);
@@ -257,14 +261,10 @@ void event_of(vm_scene_body first, vm_scene_body second, vm_event event)
     vm_real y[64];
     int i;
     for (i = 0; i < 64; i++) y[i] = any;
-    memset(&s, 0, sizeof s);
     memset(located, 0, sizeof located);
     bodies[0] = first;
     bodies[1] = second;
-    s.bodies = bodies;
-    s.n_bodies = 2;
-    s.effects = &effect;
-    s.n_effects = 1;
+    s = two_bodies(bodies, &effect, 1);
     s.events = &event;
     s.located = located;
     s.n_events = 1;

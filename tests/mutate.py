@@ -3,14 +3,15 @@
 
 A mutant flips a sign, swaps * and /, turns a comparison round, swaps && and ||, doubles a constant, adds one to an
 index or a count, or swaps the alternatives of a conditional. Lines are drawn from those that some test executes, by
-the map that coverage.py leaves (lines that have moved since are found by their text), each of a header with the same
-chance. The programs that execute the line are built and run one by one, those in double first, then those in float,
-the header's own and the quickest first, and last those that take SLOW seconds, until one fails, ends with a signal or
-needs four times its time. tcc, where it is there, makes this a matter of seconds; since some lines are compiled by
-gcc only, what passes is then tried by gcc, and the header's own programs by gcc as make test-all compiles the
-headers, which are then vectorised. Where all pass, MANY of each precision and the slow ones, the mutant has survived
-and is printed, to be judged: a test is missing, or it is equivalent (the results are as good) and goes with its
-reason to tests/mutants.txt, whose mutants count neither as caught nor as missed.
+the map that coverage.py leaves (lines that have moved since are found by their text), each of a header with the
+same chance. The programs that execute the line are built and run one by one, those in double first, then those in
+float, the header's own and the quickest first, and last those that take SLOW seconds, until one fails, ends with a
+signal or needs four times its time. Of more than MANY in a precision, those are run that execute most lines next to
+this one. tcc, where it is there, makes this a matter of seconds; since some lines are compiled by gcc only, what
+passes is then tried by gcc, and the header's own programs by gcc as make test-all compiles the headers, which are
+then vectorised. Where all pass, the mutant has survived and is printed, to be judged: a test is missing, or it is
+equivalent (the results are as good) and goes with its reason to tests/mutants.txt, whose mutants count neither as
+caught nor as missed.
 
 A file of src/ that is copied into several headers belongs to the first of them (rooms.py); the mutant is in all copies.
 
@@ -35,6 +36,7 @@ from queue import Queue
 from rooms import HEADERS, code_of, owners
 
 MANY = 10
+NEXT = 100 # lines before and after the one that is changed
 SLOW = 6 # seconds
 TCC, GCC = ['tcc', '-DFLT_EVAL_METHOD=0'], ['gcc', '-O1'] # the one compiles in no time, the other takes everything
 FAST = ['gcc', '-O3', '-march=native', '-ffp-contract=fast']
@@ -148,15 +150,18 @@ def is_own(header, name):
     return f'"../{header}.h"' in text
 
 
-def in_order(header, names, seconds):
+def in_order(header, line, executed, seconds):
     """The programs to try: in double, then in float, the header's own and the quickest first; last the slow ones, in
-    float only those that have the header's name."""
-    quick = sorted((name for name in names if seconds[name] < SLOW),
-                   key=lambda name: (not is_own(header, name), seconds[name]))
+    float only those that have the header's name. `executed` has the programs that execute each line of the header."""
+    names = executed[line]
+    lines_next = Counter(name for k in range(line - NEXT, line + NEXT + 1) for name in executed.get(k, ()))
+    quick = sorted((name for name in names if seconds[name] < SLOW), key=lambda name: -lines_next[name])
     slow = [name for name in names if seconds[name] >= SLOW and (not flags_of(name) or name.startswith(header))]
-    kinds = [[name for name in quick if re.search(r'_float$|_contracted$|$', name)[0] == ending]
+    kinds = [[name for name in quick if re.search(r'_float$|_contracted$|$', name)[0] == ending][:MANY]
              for ending in ('', '_float')]
-    return kinds[0][:MANY] + kinds[1][:MANY] + slow or names[:MANY]
+    for kind in kinds:
+        kind.sort(key=lambda name: (not is_own(header, name), seconds[name]))
+    return kinds[0] + kinds[1] + slow or names[:MANY]
 
 
 def prepared(build):
@@ -242,8 +247,7 @@ def main():
             wrong = {header: list(lines) for header, lines in sources.items()}
             for copy, place in copies[header, line]:
                 wrong[copy][place - 1] = text
-            names = executed[header][line]
-            programs = in_order(header, names, known['seconds'])
+            programs = in_order(header, line, executed[header], known['seconds'])
             own = [name for name in programs if is_own(header, name) and not flags_of(name)][:2]
             return in_copy(folders, judge, sources, wrong, programs, own, known['seconds']), mutant, text
 

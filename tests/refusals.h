@@ -5,12 +5,22 @@
 #ifndef REFUSALS_H
 #define REFUSALS_H
 
+#include <stdlib.h>
+
 #include "../varmass.h"
 #include "check.h"
 
 #define R(x) ((vm_real)(x))
 
 enum { NUMBERS = 64, OUTPUT = 8192, STAIN = 0x55 };
+
+static long refusal_rounds = 400; /* how often each function is called with numbers of any size */
+
+/* The program's first argument, if there is one, is another number of rounds. */
+static inline void read_refusal_rounds(int argc, char **argv)
+{
+    if (argc > 1) refusal_rounds = atol(argv[1]);
+}
 
 /* One call: a wrapper takes numbers and pointers from it, calls the function, and returns its status. */
 typedef struct trial {
@@ -149,8 +159,9 @@ static inline vm_real any_size(void)
 static inline void check_all_sizes(const char *name, int (*call)(trial *), const vm_real *good, int numbers)
 {
     static trial a;
-    int round, k, worked;
-    for (round = 0; round < 400; round++) {
+    long round;
+    int k, worked;
+    for (round = 0; round < refusal_rounds; round++) {
         start_trial(&a, good, numbers);
         for (k = 0; k < 1 + round % 3; k++) a.x[(int)uniform(0, numbers)] = any_size();
         if (call(&a) < 0) worked = is_untouched(&a);

@@ -864,8 +864,9 @@ static void test_impossible_rotors(void)
     CHECK(vm_broken_rotor_polar_rhs(0, y, d, &r) == VM_DOMAIN && d[0] == 7);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    read_refusal_rounds(argc, argv);
     test_jumps();
     test_bad_input();
     test_bad_masses();

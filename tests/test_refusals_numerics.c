@@ -315,8 +315,9 @@ static void test_first_step(void)
     CHECK(s.t <= R(1e-4));
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    read_refusal_rounds(argc, argv);
     test_special_functions();
     test_self_check();
     test_jacobi_domain();

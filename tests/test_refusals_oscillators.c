@@ -901,8 +901,9 @@ static void test_plan_at_rest(void)
     CHECK(vm_osc_within(&o, 1, -1, &motion) == VM_DOMAIN && vm_osc_within(&o, 1, VM_NAN, &motion) == VM_NOT_FINITE);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    read_refusal_rounds(argc, argv);
     test_oscillators();
     test_odd_forces();
     test_averaged();

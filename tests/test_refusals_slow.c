@@ -842,8 +842,9 @@ static void test_infinite_samples(void)
     CHECK(vm_find_samples(infinite_velocity, NULL, VM_ZERO_CROSSINGS, 0, 2, R(0.25), 4, points) == VM_NOT_FINITE);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    read_refusal_rounds(argc, argv);
     test_slow_vibrations();
     test_rotors();
     test_pairs_and_forces();

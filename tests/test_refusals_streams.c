@@ -594,8 +594,9 @@ static void test_lagrange(void)
     check_error("dT/dq", "scales", "eps", fabs((double)(other - derivative)) / eps, 250, 0, 0);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    read_refusal_rounds(argc, argv);
     test_streams();
     test_linear_flow();
     test_jet();

@@ -1,9 +1,10 @@
 /* The least that a Cortex-M needs under an emulator: vectors, data and bss, the floating-point unit, and semihosting to
    write a line and to end with main's value. golden_line is the function by which golden.c writes. */
+#include <stddef.h>
 #include <stdint.h>
 
 extern uint32_t data_load[], data_start[], data_end[], bss_start[], bss_end[], stack_top[];
-int main(void);
+int main(int argc, char **argv);
 void golden_line(const char *line);
 void initialise_monitor_handles(void);
 void reset(void);
@@ -45,7 +46,7 @@ void reset(void)
 #ifdef NEWLIB_CONSOLE
     initialise_monitor_handles();
 #endif
-    leave((uint32_t)main());
+    leave((uint32_t)main(0, NULL));
 }
 
 typedef union vector {

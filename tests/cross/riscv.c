@@ -1,9 +1,10 @@
 /* The least that RISC-V needs on qemu's "virt" board: the start, bss, and semihosting to write a line and to end with the
    value of main. golden_line is the function by which golden.c writes. */
+#include <stddef.h>
 #include <stdint.h>
 
 extern char bss_start[], bss_end[];
-int main(void);
+int main(int argc, char **argv);
 
 static long semihosting(long operation, const void *argument)
 {
@@ -28,7 +29,7 @@ __attribute__((used)) void start(void)
     long block[2];
     for (p = bss_start; p < bss_end;) *p++ = 0;
     block[0] = 0x20026;
-    block[1] = main();
+    block[1] = main(0, NULL);
     semihosting(0x20, block);
     for (;;) {}
 }
