@@ -4,7 +4,7 @@
 
    usage: evaluations COUNT SEED ROW   COUNT evaluations of the functions of this row, counted from 1, or COUNT/10 if they
                                        are slow; prints NAME|EVALUATIONS|VIOLATIONS. With -fopenmp on all cores.
-          evaluations rows             how many rows there are */
+          evaluations rows             the names of the rows, a line each */
 #include "../varmass.h"
 
 #include "evaluations/ateb.h"
@@ -100,8 +100,9 @@ static long run(const job *j, int number, double count, uint64_t seed)
 int main(int argc, char **argv)
 {
     const int rows = (int)(sizeof jobs / sizeof *jobs), row = argc == 4 ? atoi(argv[3]) : 0;
+    int i;
     if (argc == 2 && strcmp(argv[1], "rows") == 0) {
-        printf("%d\n", rows);
+        for (i = 0; i < rows; i++) printf("%s\n", jobs[i].name);
         return 0;
     }
     if (row < 1 || row > rows) {

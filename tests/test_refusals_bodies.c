@@ -758,6 +758,8 @@ static int free_attitude(trial *a)
 static void test_torque_free(void)
 {
     REFUSES(free_init, 2, BODY, 0);
+    REFUSES(free_init, 2, 3, R(0.5), R(0.5), R(0.6), 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 0); /* symmetric */
+    REFUSES(free_init, 2, 3, R(0.4), R(0.5), R(0.6), 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 3, 0); /* constant */
     REFUSES(free_at, 2, 1);
     REFUSES(free_attitude, 3, 1);
 }

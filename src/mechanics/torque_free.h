@@ -61,7 +61,7 @@ typedef struct VM_TAG(vm_torque_free) {
     vm_two turn_rate;            /* mean rate, turns/s, of the angle s h in equation (B) below; s h is half the angle
                                     through which the body has turned about the angular momentum */
     vm_real m1;                  /* 1 - m, where m is the parameter of sn, cn, dn */
-    vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0 */
+    vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0; for m1 > 0.05 only k' */
     vmi_doubled_theta theta;     /* the theta function of equation (B) below; sigma arg theta is h - kappa t */
 } vm_torque_free;
 
@@ -122,11 +122,13 @@ VM_API vmi_torque_free_squares vmi_torque_free_amplitudes(const vmi_torque_free_
     return square;
 }
 
-/* Stores m1 = 1 - m in *motion and prepares the functions sn, cn, dn for their parameter m */
+/* Stores m1 = 1 - m in *motion and prepares the functions sn, cn, dn for their parameter m. If m1 > 0.05, arguments up
+   to K/2 are not far from 0 (VMI_NEAR); then far_form needs only k'. */
 VM_API void vmi_torque_free_parameter(vm_torque_free *motion, vm_two m1)
 {
     motion->m1 = m1.hi;
-    vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
+    motion->far_form.kp = VM_SQRT(m1.hi);
+    if (m1.hi <= VM_C(0.05)) vmi_far_prepare(&motion->far_form, m1.hi, m1.lo);
 }
 
 /* Sets the fields `axes`, `spin` (the amplitudes of omega) and `lean` (the amplitudes of the quaternion M in equation

@@ -16,8 +16,16 @@ if ! command -v clang >/dev/null; then
 fi
 mkdir -p "$build"
 
-stamp=$(sh bench/stamp.sh of jacobi ateb integrators varmass)
-sources_of() { echo "$each s, $stamp, $(cat tests/fuzz/*.h "tests/fuzz/$1.c" | cksum)"; }
+headers_of() { # headers_of TARGET
+    case $1 in
+    jacobi | elliptic) echo jacobi ;;
+    ateb | integrators) echo "$1" ;;
+    *) echo jacobi ateb integrators varmass ;;
+    esac
+}
+sources_of() { # sources_of TARGET
+    echo "$each s, $(sh bench/stamp.sh of $(headers_of "$1")), $(cat tests/fuzz/*.h "tests/fuzz/$1.c" | cksum)"
+}
 is_kept() { [ "$(head -n 1 "$build/$1-$2.kept" 2>/dev/null)" = "$(sources_of "$1")" ]; } # is_kept TARGET PRECISION
 fuzz() { # fuzz TARGET PRECISION
     is_kept "$1" "$2" && return
