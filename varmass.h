@@ -23981,6 +23981,8 @@ VM_API int vm_scene_check(const vm_scene *scene, vm_scene_fault *fault_or_NULL)
 #ifndef VARMASS_SCENES_POINTS_H
 #define VARMASS_SCENES_POINTS_H
 
+#include <string.h>
+
 /* Position and velocity of a point of a body or of the ground, and the rotation of the body */
 typedef struct VM_TAG(vmi_body_point) {
     vm_vec3 arm;   /* m, inertial axes: vector from the mass centre (on an axle from the axle) to the point */
@@ -24067,15 +24069,21 @@ VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_v
     return vmi_times(axes, vmi_get3(rates));
 }
 
-/* Gives a body an impulse at a point: changes the velocities of the body in the state y of the scene */
-VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
+/* Gives a body an impulse at a point: changes the velocities of the body in the state y of the scene. Returns
+   VM_NOT_FINITE, and changes nothing, if a velocity would be infinite or NaN; VM_OK otherwise. */
+VM_API int vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
 {
     const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
+    const size_t size = (size_t)b->coordinates * sizeof *y;
     vm_vec3 spin = vmi_point_spin(b, &p->axes, vm_cross(p->arm, impulse), zero);
-    vm_real *velocities = y + b->at + b->positions;
+    vm_real *velocities = y + b->at + b->positions, kicked[6];
+    memcpy(kicked, velocities, size);
     if (b->motion == VM_FREE) spin = vmi_times_transposed(&p->axes, spin);
-    if (b->motion == VM_LINE) velocities[0] += move.x;
-    else vmi_scene_add(b, velocities, move, spin);
+    if (b->motion == VM_LINE) kicked[0] += move.x;
+    else vmi_scene_add(b, kicked, move, spin);
+    if (!vmi_all_finite(b->coordinates, kicked)) return VM_NOT_FINITE;
+    memcpy(velocities, kicked, size);
+    return VM_OK;
 }
 
 /* Returns the acceleration of a point in the direction of the unit vector `along` if a force of 1 N in this direction
@@ -24619,13 +24627,14 @@ VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
 }
 
-/* Gives a body an impulse at its point `at`; an impulse on the ground changes nothing */
-VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
+/* Gives a body an impulse at its point `at`; an impulse on the ground changes nothing. Returns a status of
+   vmi_point_kick. */
+VM_API int vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
 {
     vmi_body_point p;
-    if (body < 0) return;
+    if (body < 0) return VM_OK;
     vmi_point_now(s, body, at, y, &p);
-    vmi_point_kick(s->bodies + body, &p, impulse, y);
+    return vmi_point_kick(s->bodies + body, &p, impulse, y);
 }
 
 /* After a jump, gives the bodies the impulses after which the points of each joint do not move apart, and adds the
@@ -24644,13 +24653,13 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
         const vm_vec3 impulse = vmi_joint_force(joint, impulses);
         impulses += joint->n_rows;
         if (joint->n_rows == 0) continue;
-        vmi_joint_kick(s, joint->body, joint->at, impulse, y);
-        vmi_joint_kick(s, joint->other, joint->other_at, vm_scale(-1, impulse), y);
+        status = vmi_first_error(status, vmi_joint_kick(s, joint->body, joint->at, impulse, y));
+        status = vmi_first_error(status, vmi_joint_kick(s, joint->other, joint->other_at, vm_scale(-1, impulse), y));
         if (joint->other >= 0 || !s->budget) continue;
         s->budget->impulse = vm_add(s->budget->impulse, impulse);
         s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(joint->other_at, impulse));
     }
-    return VM_OK;
+    return status;
 }
 
 /* -- Checks -- */
@@ -25815,17 +25824,18 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     vmi_body_point p;
     vm_vec3 normal, impulse;
     vm_real mobility, v;
-    const int status = vmi_event_weigh(e, t, y);
+    int status = vmi_event_weigh(e, t, y);
     if (status) return status;
     vmi_point_now(s, e->body, contact->at, y, &p);
     vmi_contact_height(contact, &p, &normal);
     v = vm_dot(p.v, normal);
     mobility = vmi_point_mobility(s->bodies + e->body, &p, normal);
     if (v >= 0 || mobility == 0) return VM_OK;
+    if (!VM_IS_FINITE(mobility)) return VM_NOT_FINITE;
     impulse = vm_scale(-v / mobility, normal);
     if (s->budget) s->budget->totals(s, y, &before);
-    vmi_point_kick(s->bodies + e->body, &p, impulse, y);
-    if (!s->budget) return VM_OK;
+    status = vmi_point_kick(s->bodies + e->body, &p, impulse, y);
+    if (status || !s->budget) return status;
     s->budget->totals(s, y, &after);
     s->budget->jump_energy += after.energy - before.energy;
     s->budget->impulse = vm_add(s->budget->impulse, impulse);

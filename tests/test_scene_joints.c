@@ -622,6 +622,33 @@ static void check_landing(void)
     balanced(&s, "landing", 10, 30);
 }
 
+/* The impulse of a landing overflows: of a body so light that an impulse of 1 N s gives it an infinite velocity, and of one
+   so heavy that the impulse is infinite. The run ends with an error, and the velocity is that before the landing. */
+static void check_landing_overflows(void)
+{
+    const vm_contact ground = {{1, 0, 0}, 0, {0, 0, 0}, {0, 1, 0}, 0, 0};
+    const vm_real mass[2] = {4 * VM_MIN * VM_EPSILON, VM_MAX / 8};
+    int i, in_space;
+    for (i = 0; i < 2; i++) {
+        for (in_space = 0; in_space < 2; in_space++) {
+            vm_body body = part_of(mass[i], mass[i]);
+            stage s;
+            body.inertia.xx = body.inertia.yy = mass[i];
+            body.q.w = 1;
+            body.r = stage_vec(0, 1, 0);
+            body.v = stage_vec(0, -32, 0);
+            stage_clear(&s, 0);
+            if (in_space) stage_body(&s, vm_scene_body_free(&body));
+            else stage_body(&s, vm_scene_body_plane(mass[i], mass[i], body.r, 0, body.v, 0));
+            stage_event(&s, vm_then_land(vm_event_contact(0, &ground)));
+            begin(&s);
+            run(&s, 1, VM_NOT_FINITE);
+            CHECK(s.events[0].count == 1 && vmi_all_finite(vm_scene_size(&s.scene), s.y));
+            CHECK(s.y[in_space ? 8 : 4] == -32);
+        }
+    }
+}
+
 /* ---- What is refused ---- */
 
 /* A bar on a pin whose joints, spring and contact the checks change */
@@ -1057,6 +1084,7 @@ int main(void)
     check_length_of_normal();
     check_landing();
     check_landing_in_space();
+    check_landing_overflows();
     check_spring_in_space(0);
     check_spring_in_space(3);
     check_spring_in_plane();

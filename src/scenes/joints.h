@@ -386,13 +386,14 @@ VM_API void vmi_apply_joints(const vm_effect *e, vm_real t, const vm_real *y, vm
     }
 }
 
-/* Gives a body an impulse at its point `at`; an impulse on the ground changes nothing */
-VM_API void vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
+/* Gives a body an impulse at its point `at`; an impulse on the ground changes nothing. Returns a status of
+   vmi_point_kick. */
+VM_API int vmi_joint_kick(const vm_scene *s, int body, vm_vec3 at, vm_vec3 impulse, vm_real *y)
 {
     vmi_body_point p;
-    if (body < 0) return;
+    if (body < 0) return VM_OK;
     vmi_point_now(s, body, at, y, &p);
-    vmi_point_kick(s->bodies + body, &p, impulse, y);
+    return vmi_point_kick(s->bodies + body, &p, impulse, y);
 }
 
 /* After a jump, gives the bodies the impulses after which the points of each joint do not move apart, and adds the
@@ -411,13 +412,13 @@ VM_API int vmi_joints_settle(const vm_effect *e, vm_real *y, vm_scene *s)
         const vm_vec3 impulse = vmi_joint_force(joint, impulses);
         impulses += joint->n_rows;
         if (joint->n_rows == 0) continue;
-        vmi_joint_kick(s, joint->body, joint->at, impulse, y);
-        vmi_joint_kick(s, joint->other, joint->other_at, vm_scale(-1, impulse), y);
+        status = vmi_first_error(status, vmi_joint_kick(s, joint->body, joint->at, impulse, y));
+        status = vmi_first_error(status, vmi_joint_kick(s, joint->other, joint->other_at, vm_scale(-1, impulse), y));
         if (joint->other >= 0 || !s->budget) continue;
         s->budget->impulse = vm_add(s->budget->impulse, impulse);
         s->budget->angular_impulse = vm_add(s->budget->angular_impulse, vm_cross(joint->other_at, impulse));
     }
-    return VM_OK;
+    return status;
 }
 
 /* -- Checks -- */

@@ -17,6 +17,8 @@
 #ifndef VARMASS_SCENES_POINTS_H
 #define VARMASS_SCENES_POINTS_H
 
+#include <string.h>
+
 #include "../base/arrays.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
@@ -115,15 +117,21 @@ VM_API vm_vec3 vmi_point_spin(const vm_scene_body *b, const vmi_mat3 *axes, vm_v
     return vmi_times(axes, vmi_get3(rates));
 }
 
-/* Gives a body an impulse at a point: changes the velocities of the body in the state y of the scene */
-VM_API void vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
+/* Gives a body an impulse at a point: changes the velocities of the body in the state y of the scene. Returns
+   VM_NOT_FINITE, and changes nothing, if a velocity would be infinite or NaN; VM_OK otherwise. */
+VM_API int vmi_point_kick(const vm_scene_body *b, const vmi_body_point *p, vm_vec3 impulse, vm_real *y)
 {
     const vm_vec3 zero = {0, 0, 0}, move = vmi_point_move(b, impulse);
+    const size_t size = (size_t)b->coordinates * sizeof *y;
     vm_vec3 spin = vmi_point_spin(b, &p->axes, vm_cross(p->arm, impulse), zero);
-    vm_real *velocities = y + b->at + b->positions;
+    vm_real *velocities = y + b->at + b->positions, kicked[6];
+    memcpy(kicked, velocities, size);
     if (b->motion == VM_FREE) spin = vmi_times_transposed(&p->axes, spin);
-    if (b->motion == VM_LINE) velocities[0] += move.x;
-    else vmi_scene_add(b, velocities, move, spin);
+    if (b->motion == VM_LINE) kicked[0] += move.x;
+    else vmi_scene_add(b, kicked, move, spin);
+    if (!vmi_all_finite(b->coordinates, kicked)) return VM_NOT_FINITE;
+    memcpy(velocities, kicked, size);
+    return VM_OK;
 }
 
 /* Returns the acceleration of a point in the direction of the unit vector `along` if a force of 1 N in this direction
