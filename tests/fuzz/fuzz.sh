@@ -1,8 +1,9 @@
 #!/bin/sh
 # Fuzz every target in both precisions, two runs at a time, for SECONDS in all, by clang's libFuzzer with ASan and UBSan; inputs that
 # violate a property stay in BUILD/fuzz/TARGET-PRECISION-crash-*, from where they go to tests/fuzz/corpus with a line of what
-# went wrong. A run that came to its end is kept in BUILD/fuzz/TARGET-PRECISION.kept, and is not run again while the code of
-# the headers (bench/stamp.sh), the target and its time stay as they are. So a run of hours that was broken off goes on where it was.
+# went wrong. A run that came to its end is kept in BUILD/fuzz/TARGET-PRECISION.kept, and is not run again while its time and the
+# machine code of the target stay as they are. So a run of hours that was broken off goes on where it was, and a change of the
+# headers only repeats the targets that call what was changed.
 # usage: fuzz.sh BUILD SECONDS [TARGET...], from the top of the project
 build=$1/fuzz seconds=$2
 shift 2
@@ -16,29 +17,22 @@ if ! command -v clang >/dev/null; then
 fi
 mkdir -p "$build"
 
-headers_of() { # headers_of TARGET
-    case $1 in
-    jacobi | elliptic) echo jacobi ;;
-    ateb | integrators) echo "$1" ;;
-    *) echo jacobi ateb integrators varmass ;;
-    esac
+flags_of() { [ "$1" = double ] || echo -DVM_USE_FLOAT; } # flags_of PRECISION
+sources_of() { # sources_of TARGET PRECISION: the run's time and a hash of the target's machine code, without sanitizers
+    echo "$each s, $(clang -std=c99 -O1 $(flags_of "$2") -S "tests/fuzz/$1.c" -o - | cksum)"
 }
-sources_of() { # sources_of TARGET
-    echo "$each s, $(sh bench/stamp.sh of $(headers_of "$1")), $(cat tests/fuzz/*.h "tests/fuzz/$1.c" | cksum)"
-}
-is_kept() { [ "$(head -n 1 "$build/$1-$2.kept" 2>/dev/null)" = "$(sources_of "$1")" ]; } # is_kept TARGET PRECISION
+is_kept() { [ "$(head -n 1 "$build/$1-$2.kept" 2>/dev/null)" = "$(sources_of "$1" "$2")" ]; } # is_kept TARGET PRECISION
 fuzz() { # fuzz TARGET PRECISION
     is_kept "$1" "$2" && return
-    program=$build/$1-$2 flags=
-    [ "$2" = float ] && flags=-DVM_USE_FLOAT
+    program=$build/$1-$2
     rm -f "$program.kept"
     mkdir -p "$program.corpus"
-    clang -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $flags \
+    clang -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $(flags_of "$2") \
         "tests/fuzz/$1.c" -o "$program" -lm >"$program.log" 2>&1 || return
     "$program" -max_total_time=$each -max_len=768 -len_control=0 -timeout=20 -rss_limit_mb=1024 -print_final_stats=1 \
         -artifact_prefix="$program-" -close_fd_mask=0 "$program.corpus" >"$program.log" 2>&1 || return
     {
-        sources_of "$1"
+        sources_of "$1" "$2"
         awk -v name="$1 $2" '/cov:/ {for (i = 1; i < NF; i++) if ($i == "cov:") cov = $(i + 1)}
             /number_of_executed_units/ {n = $2} /average_exec_per_sec/ {rate = $2}
             END {printf "%-20s %9d inputs, %7d inputs/s, %5d edges\n", name, n, rate, cov}' "$program.log"
