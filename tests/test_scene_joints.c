@@ -631,7 +631,7 @@ static void check_landing_overflows(void)
     int i, in_space;
     for (i = 0; i < 2; i++) {
         for (in_space = 0; in_space < 2; in_space++) {
-            vm_body body = part_of(mass[i], mass[i]);
+            vm_body body = part_of((double)mass[i], (double)mass[i]);
             stage s;
             body.inertia.xx = body.inertia.yy = mass[i];
             body.q.w = 1;
