@@ -25,7 +25,7 @@ static vm_real uniform(random_bits *g, double low, double high)
     return R(low + (high - low) * ((double)(next_bits(g) >> 11) / 9007199254740992.0));
 }
 
-/* 2^from to 2^to, of any mantissa */
+/* A random number between 2^from and 2^to, in which all sizes are equally frequent */
 static vm_real of_size(random_bits *g, int from, int to)
 {
     const uint64_t bits = next_bits(g);
@@ -33,7 +33,8 @@ static vm_real of_size(random_bits *g, int from, int to)
     return vmi_ldexp(1 + R((double)(bits >> 12) / 4503599627370496.0), k);
 }
 
-/* m: half within 0 .. 1, some next to 1, some below 0, to -2^100 */
+/* A random parameter m. Half of these numbers lie between 0 and 1; the others are close to 1, or lie between -20 and 1 or
+   between -2^300 (in float -2^60) and 0. */
 static vm_real random_m(random_bits *g)
 {
     switch (next_bits(g) & 7) {
@@ -84,14 +85,14 @@ static trial result(vm_real x, vm_real y, vm_real z, int good)
 /* The number to which an error of x is compared: subnormal numbers have the spacing of the smallest normal one. */
 static vm_real size_of(vm_real x) { return VM_FABS(x) > VM_MIN ? VM_FABS(x) : VM_MIN; }
 
-/* Are a and b the same, up to so many eps of the larger? */
+/* Is the difference of a and b at most `epsilons` eps times the larger of the two? */
 static int same_size(vm_real a, vm_real b, double epsilons)
 {
     const vm_real size = size_of(VM_FABS(a) > VM_FABS(b) ? a : b);
     return VM_FABS(a - b) <= R(epsilons) * EPS * size;
 }
 
-/* A complementary parameter m1 = 1 - m. Most of them are so small that m is next to 1. */
+/* A random complementary parameter m1 = 1 - m. Most of these numbers are so small that m is close to 1. */
 static vm_real random_m1(random_bits *g) { return of_size(g, IS_FLOAT ? -100 : -1000, 1); }
 
 #endif
