@@ -2,6 +2,9 @@
    the promised bounds, that neighbours are in order, and inverses. bench/evaluations.sh runs this program for each row of
    docs/evaluations.md. The first violations go to stderr with their inputs.
 
+   With -DROW=n the program has the row n alone. Its machine code is then the code that this row tests, by which the script
+   knows whether it must be run again.
+
    usage: evaluations COUNT SEED ROW   COUNT evaluations of the functions of this row, counted from 1, or COUNT/10 if they
                                        are slow; prints NAME|EVALUATIONS|VIOLATIONS. With -fopenmp on all cores.
           evaluations rows             the names of the rows, a line each */
@@ -21,53 +24,59 @@ typedef struct job {
     int slower;      /* how many times fewer trials a slow function gets */
 } job;
 
-static const job jobs[] = {{"sn, cn, dn", try_sncndn, 2 * PHASES, 1},
-                           {"sn, cn, dn, m1", try_sncndn_m1, PHASES, 1},
-                           {"sn rises", try_sn_rises, 2 * PHASES, 1},
-                           {"cd, sd, sc", try_quotients, PHASES, 1},
-                           {"jacobi_plan", try_jacobi_plan, 64, 1},
-                           {"am", try_am, 3 * PHASES, 1},
-                           {"K, k'K", try_K, 1, 1},
-                           {"E", try_E, 2, 1},
-                           {"K, E, Legendre", try_legendre, 1, 1},
-                           {"F, E, incomplete", try_incomplete, 2, 1},
-                           {"Pi, incomplete", try_Pi, 1, 1},
-                           {"inverse sn, cn", try_inverse_sn, 1, 1},
-                           {"R_F, R_C, R_D, R_J, R_G", try_carlson, 1, 1},
-                           {"solve k'K, m1", try_solve_kpK, 1, 1},
-                           {"solve K, m1", try_solve_K, 1, 1},
-                           {"cn means", try_cn_means, 1, 1},
-                           {"sa, ca", try_saca, 2 * PHASES, 1},
-                           {"sa, ca monotone", try_saca_rises, 2 * PHASES, 1},
-                           {"ateb_plan", try_ateb_plan, 256, 1},
-                           {"Pi_alpha", try_pi, 2, 1},
-                           {"ateb_phase", try_phase, PHASES, 1},
-                           {"ateb integrals", try_integrals, PHASES, 1},
-                           {"beta", try_beta, 2, 1},
-                           {"beta_inc", try_beta_inc, 2, 1},
-                           {"beta_inc_inv", try_beta_inverse, 2, 10},
-                           {"sa, ca (n, m)", try_saca_nm, 1, 10},
-                           {"ateb_mean", try_mean, 2, 1},
-                           {"Lambert W", try_lambert, 1, 1},
-                           {"ns, nc, nd, cs, ds, dc", try_reciprocals, PHASES, 1},
-                           {"sn, cn, dn, m > 1", try_large_m, PHASES, 1},
-                           {"agm", try_agm, PHASES, 1},
-                           {"jacobi_plan, arrays", try_jacobi_arrays, 64, 1},
-                           {"D", try_D, 1, 1},
-                           {"D, incomplete", try_D_incomplete, 1, 1},
-                           {"F, E, D, incomplete, m1", try_incomplete_m1, 1, 1},
-                           {"Pi", try_Pi_complete, 1, 1},
-                           {"Pi, incomplete, m1", try_Pi_m1, 1, 1},
-                           {"inverse dn", try_inverse_dn, 1, 1},
-                           {"inverse sn, cn, dn, m1", try_inverses_m1, 1, 1},
-                           {"solve K, k'K", try_solve_m, 1, 1},
-                           {"ateb_plan, shorter", try_short_plan, 256, 1},
-                           {"ateb_plan, arrays", try_ateb_arrays, 256, 1},
-                           {"ln beta", try_ln_beta, 2, 1},
-                           {"ln beta_inc", try_ln_beta_inc, 1, 1},
-                           {"beta_inc_inv, both", try_both_inverses, 1, 10},
-                           {"ateb_mean (n, m)", try_mean_nm, 3, 1},
-                           {"Lambert W, x < 0", try_lambert_branches, 1, 1}};
+#ifdef ROW
+#define IN_ROW(n, function) ((n) == ROW ? (function) : NULL)
+#else
+#define IN_ROW(n, function) (function)
+#endif
+
+static const job jobs[] = {{"sn, cn, dn", IN_ROW(1, try_sncndn), 2 * PHASES, 1},
+                           {"sn, cn, dn, m1", IN_ROW(2, try_sncndn_m1), PHASES, 1},
+                           {"sn rises", IN_ROW(3, try_sn_rises), 2 * PHASES, 1},
+                           {"cd, sd, sc", IN_ROW(4, try_quotients), PHASES, 1},
+                           {"jacobi_plan", IN_ROW(5, try_jacobi_plan), 64, 1},
+                           {"am", IN_ROW(6, try_am), 3 * PHASES, 1},
+                           {"K, k'K", IN_ROW(7, try_K), 1, 1},
+                           {"E", IN_ROW(8, try_E), 2, 1},
+                           {"K, E, Legendre", IN_ROW(9, try_legendre), 1, 1},
+                           {"F, E, incomplete", IN_ROW(10, try_incomplete), 2, 1},
+                           {"Pi, incomplete", IN_ROW(11, try_Pi), 1, 1},
+                           {"inverse sn, cn", IN_ROW(12, try_inverse_sn), 1, 1},
+                           {"R_F, R_C, R_D, R_J, R_G", IN_ROW(13, try_carlson), 1, 1},
+                           {"solve k'K, m1", IN_ROW(14, try_solve_kpK), 1, 1},
+                           {"solve K, m1", IN_ROW(15, try_solve_K), 1, 1},
+                           {"cn means", IN_ROW(16, try_cn_means), 1, 1},
+                           {"sa, ca", IN_ROW(17, try_saca), 2 * PHASES, 1},
+                           {"sa, ca monotone", IN_ROW(18, try_saca_rises), 2 * PHASES, 1},
+                           {"ateb_plan", IN_ROW(19, try_ateb_plan), 256, 1},
+                           {"Pi_alpha", IN_ROW(20, try_pi), 2, 1},
+                           {"ateb_phase", IN_ROW(21, try_phase), PHASES, 1},
+                           {"ateb integrals", IN_ROW(22, try_integrals), PHASES, 1},
+                           {"beta", IN_ROW(23, try_beta), 2, 1},
+                           {"beta_inc", IN_ROW(24, try_beta_inc), 2, 1},
+                           {"beta_inc_inv", IN_ROW(25, try_beta_inverse), 2, 10},
+                           {"sa, ca (n, m)", IN_ROW(26, try_saca_nm), 1, 10},
+                           {"ateb_mean", IN_ROW(27, try_mean), 2, 1},
+                           {"Lambert W", IN_ROW(28, try_lambert), 1, 1},
+                           {"ns, nc, nd, cs, ds, dc", IN_ROW(29, try_reciprocals), PHASES, 1},
+                           {"sn, cn, dn, m > 1", IN_ROW(30, try_large_m), PHASES, 1},
+                           {"agm", IN_ROW(31, try_agm), PHASES, 1},
+                           {"jacobi_plan, arrays", IN_ROW(32, try_jacobi_arrays), 64, 1},
+                           {"D", IN_ROW(33, try_D), 1, 1},
+                           {"D, incomplete", IN_ROW(34, try_D_incomplete), 1, 1},
+                           {"F, E, D, incomplete, m1", IN_ROW(35, try_incomplete_m1), 1, 1},
+                           {"Pi", IN_ROW(36, try_Pi_complete), 1, 1},
+                           {"Pi, incomplete, m1", IN_ROW(37, try_Pi_m1), 1, 1},
+                           {"inverse dn", IN_ROW(38, try_inverse_dn), 1, 1},
+                           {"inverse sn, cn, dn, m1", IN_ROW(39, try_inverses_m1), 1, 1},
+                           {"solve K, k'K", IN_ROW(40, try_solve_m), 1, 1},
+                           {"ateb_plan, shorter", IN_ROW(41, try_short_plan), 256, 1},
+                           {"ateb_plan, arrays", IN_ROW(42, try_ateb_arrays), 256, 1},
+                           {"ln beta", IN_ROW(43, try_ln_beta), 2, 1},
+                           {"ln beta_inc", IN_ROW(44, try_ln_beta_inc), 1, 1},
+                           {"beta_inc_inv, both", IN_ROW(45, try_both_inverses), 1, 10},
+                           {"ateb_mean (n, m)", IN_ROW(46, try_mean_nm), 3, 1},
+                           {"Lambert W, x < 0", IN_ROW(47, try_lambert_branches), 1, 1}};
 
 static long run(const job *j, int number, double count, uint64_t seed)
 {
@@ -105,7 +114,7 @@ int main(int argc, char **argv)
         for (i = 0; i < rows; i++) printf("%s\n", jobs[i].name);
         return 0;
     }
-    if (row < 1 || row > rows) {
+    if (row < 1 || row > rows || !jobs[row - 1].run) {
         fprintf(stderr, "usage: evaluations COUNT SEED ROW, with ROW from 1 to %d\n", rows);
         return 2;
     }
