@@ -47,9 +47,10 @@
 
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
-     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and all arguments outside the domain that the
-     comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was. Nothing else
-     can fail. The functions allocate no memory and keep no state; errno says nothing about their errors.
+     outside 1e-4 to 1e5 (for ateb_ln_beta outside 1e-30 to 1e30; but the parameters 0 and infinity give limits), and
+     all arguments outside the domain that the comment of a function gives. For a bad alpha ateb_plan_init returns -1
+     and leaves the plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; errno
+     says nothing about their errors.
 
    METHOD
      First s is reduced to the first quarter of the period, which needs Pi_alpha. Pi_alpha comes from a table of
@@ -67,9 +68,10 @@
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
-                          the functions of the C library that are used; define all four or none.
-                          These functions are exact, so that results are the same on every machine, unless the compiler
-                          fuses products and sums.
+                          the functions of the C library that are used; define all four or none. Where the compiler says
+                          that fma is fast (FP_FAST_FMA, in float FP_FAST_FMAF), fma is used, too. All these functions
+                          round correctly, so that results are the same on every machine, unless the compiler fuses
+                          products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
                           are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
                           that tables take no RAM
@@ -97,9 +99,9 @@
                             and ca only rise or only fall, apart from errors of 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to
                             within 1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros              of sa and ca have a relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4)
-                            and for plans in float, it is <= 2^-100 (float 2^-42). This error, times |s| and the slope of sa or
-                            ca, comes in addition to the errors above. It matters only where s is within an ulp of a
-                            zero.
+                            and for plans in float, it is <= 2^-100 (float 2^-42). This error, times |s| and the slope
+                            of sa or ca, comes in addition to the errors above. It matters only where s is within an
+                            ulp of a zero.
      Pi_alpha               <= 1 ulp
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
@@ -113,10 +115,10 @@
      integrals              the integrals of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
-     docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. An ateb_plan has
-     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is that of the row of
-     docs/numbers.md with this number. In double ateb_plan_saca_array needs 3 kB of stack for a block of arguments; the
-     stack frame of any other function is below 2 kB.
+     docs/cost.md has the times of the functions that are used most, docs/counts.md the number of instructions of a call
+     of nearly all. An ateb_plan has 560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in
+     brackets is that of the row of docs/numbers.md with this number. In double ateb_plan_saca_array needs 3 kB of stack
+     for a block of arguments; the stack frame of any other function is below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]
@@ -142,7 +144,7 @@
        ateb_ca                        ca(alpha, 1, s), the Ateb cosine, alone
 
      ateb/phase: the phase s for given values of sa and ca
-       ateb_phase                     The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha
+       ateb_phase                     The phase s of given values of sa and ca, with -Pi_alpha <= s <= Pi_alpha
 
      ateb/integrals: integrals of Ateb functions
        ateb_integral_sa2              The integral of sa(1, alpha, s)^2 from 0 to s
@@ -177,8 +179,8 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker if a program has files in float and in double. It names the four functions of the C library
-   that the kit uses: sqrt, fabs, floor, copysign.
+   results, and the linker if a program has files in float and in double. It names the functions of the C library that
+   the kit uses: sqrt, fabs, floor, copysign, and fma where FP_FAST_FMA says that it is fast.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -436,9 +438,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #define VARMASS_BASE_SELF_CHECK_H
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
-   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot know
-   their values. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` 2^27 + 1 (float 2^12 + 1),
+   the factor that splits a number into two halves. The caller reads them from volatile variables, so that the compiler
+   cannot know their values. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -2291,12 +2293,12 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 /* Returns 1 if ateb_phase has a result for this alpha, else 0. */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
-/* The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30. The given
+/* The phase s of given values of sa and ca, with -Pi_alpha <= s <= Pi_alpha. alpha lies between 0 and 1e30. The given
    values need not satisfy sa^2 + |ca|^(alpha+1) = 1: for every lambda > 0 the pair sa lambda^((alpha+1)/2) and ca
    lambda has the same phase as sa and ca. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found
    with sa = -x' sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s,
-   ...), the result is s with an error of at most 8 ulp plus the change of s that errors of 6 ulp in sa and in ca make.
-   Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
+   ...) with |s| <= Pi_alpha, the result is s with an error of at most 8 ulp plus the change of s that errors of 6 ulp
+   in sa and in ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;
@@ -2819,9 +2821,9 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
    the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca. Unless
-   the compiler fuses products and sums, the results have the same bits as its results. Arguments are computed in blocks
-   of 32. Arguments with |s| >= p->longest, and those that are not finite, are computed one by one. Arrays are faster
-   than single calls on processors with wide vector registers (docs/cost.md has the times). */
+   the compiler fuses products and sums, the results have the same bits as those of ateb_plan_saca. Arguments are
+   computed in blocks of 32. Arguments with |s| >= p->longest, and those that are not finite, are computed one by one.
+   Arrays are faster than single calls on processors with wide vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;

@@ -26,10 +26,10 @@
             tolerance. A step takes six evaluations of f; the solution inside a step takes no further evaluation. Begin
             with this method. It is also the best one in float, for an f that is not smooth, for loose tolerances, for
             many events and for output at many times.
-     rk87   Verner's pair of orders 8 and 7 [4]. A step takes 13 evaluations of f, and seven more if the caller asks for
-            the solution inside the step. It is the fastest for a smooth f in double. Its rounding errors are larger
-            than those of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7), which is too coarse for most
-            uses in float.
+     rk87   Verner's pair of orders 8 and 7 [4]. A step takes 13 evaluations of f, and seven more if the run has events
+            or the caller asks for the solution inside the step. It is the fastest for a smooth f in double. Its
+            rounding errors are larger than those of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7),
+            which is too coarse for most uses in float.
      None of these methods is meant for stiff equations, in which stability and not accuracy limits the step size; these
      need an implicit method. rk45 and rk87 report an equation that looks stiff (ODE_STIFF). docs/cost.md has the time
      that each method needs for a given error.
@@ -39,7 +39,8 @@
      0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
      The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
      rk45 does. An rk45, its work and its events contain the whole state of a run. An rk87 is an rk45 that rk87_init
-     made; the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
+     made. The functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made. Only rk45_restart and
+     rk87_restart, which do the same, accept both.
 
    STEP SIZE CONTROL
      A step gives two results, one of each order of the pair. Their difference is the estimate of the error; the run
@@ -48,21 +49,21 @@
      from the errors of the last two steps. The step size stays the same after an error of 0.25 to 0.75 of the tolerance
      (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
-     A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
-     defaults.
-     No step is shorter than h_min, or than 2 eps |t|, the resolution of t. If even a step of this smallest size
-     misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
-     the jump. If another such step misses the tolerance before three steps have kept it, the run ends with
-     ODE_STEP_TOO_SMALL: f is then singular there, or too stiff for the resolution of t. If the two steps follow each
-     other directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both
-     steps.
+     A zero in rk45_options means the default. A negative rtol or atol counts as 0; a negative number in atol_each is an
+     error. rk45_defaults() fills in the defaults.
+     No step is shorter than h_min, or than 2 eps |t|, the resolution of t, except a step that ends at t_end or at an
+     event. If even a step of this smallest size misses the tolerance, the run assumes a jump of f: it accepts the step,
+     counts it in s.missed, and goes on after the jump. If another such step misses the tolerance before three steps
+     have kept it, the run ends with ODE_STEP_TOO_SMALL: f is then singular there, or too stiff for the resolution of t.
+     If the two steps follow each other directly, in one call of rk45_solve without events, both are dropped: s.t and
+     s.y are then those before both steps.
 
    TIME
-     A step ends at a time that is a number of the type, and its length is exactly the difference of the times at its
-     two ends. So s.t does not drift away from the motion, however far from 0 the run began and however many steps it
-     takes. There are two exceptions: a step so short that rounding the time of its end would change its length by more
-     than 1/64, and a step that ends at an event. Then y belongs to a time between two numbers of the type, s.t is the
-     nearer of them, and the run stores the difference.
+     A step ends at a time that is a number of the type, and its length is the difference of the times at its two ends,
+     rounded to the type (exact for a step shorter than |t|/2). So s.t does not drift away from the motion, however far
+     from 0 the run began and however many steps it takes. There are two exceptions: a step so short that rounding the
+     time of its end would change its length by more than 1/64, and a step that ends at an event. Then y belongs to a
+     time between two numbers of the type, s.t is the nearer of them, and the run stores the difference.
 
    EVENTS
      An event happens when g(t, y) reaches zero or changes its sign. The run finds the time of the event on the
@@ -74,9 +75,9 @@
      already has its new sign. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g
      jumps, the event happens at the jump. After an event the sign of g is ignored as long as rounding errors alone
      could cause it. So one contact of a body that bounces off the ground is one event.
-     A run ends at each event whose action is ODE_STOP, or when an event has happened `stop_after` times. The t_end of
-     such a run may be infinite. Set h_max in this case if the solution is so smooth that the steps would grow without
-     end.
+     A run ends at each event with the action ODE_STOP. An event with stop_after > 0 is different: whatever its action
+     is, it ends the run only when it has happened stop_after times, twice as many times, and so on. The t_end of such a
+     run may be infinite. Set h_max in this case if the solution is so smooth that the steps would grow without end.
      Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
      h_max makes evaluations more frequent.
 
@@ -112,8 +113,8 @@
      VM_API               linkage of the functions; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
-     VM_SQRT, VM_FABS     the functions of the C library that are used; define either all of VM_SQRT, VM_FABS, VM_FLOOR
-                          and VM_COPYSIGN, or none of them
+     VM_FABS, VM_COPYSIGN the functions of the C library that are used; vm_self_check() also uses VM_SQRT and VM_FLOOR.
+                          Define all four or none.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
                           are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
                           that tables take no RAM
@@ -156,7 +157,7 @@
        rk4_solve_compensated          Makes equal steps with compensated summation [3], so that rounding errors do not add up
 
      integrators/rk45: rk45: adaptive runs by a Runge-Kutta pair of orders 5 and 4
-       rk45_defaults                  Returns the options of rk45 with each zero replaced by its default, as rk45_init uses them
+       rk45_defaults                  Returns the options of rk45 as rk45_init uses them
        rk45_init                      Begins a run of y' = f(t, y) by rk45 from state y0 at time t0
        rk45_restart                   Continues a run of rk45 from another time or state, such as after a jump
        rk45_step                      Makes one accepted step of rk45, or the part of it before an event that ends the step
@@ -188,8 +189,8 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker if a program has files in float and in double. It names the four functions of the C library
-   that the kit uses: sqrt, fabs, floor, copysign.
+   results, and the linker if a program has files in float and in double. It names the functions of the C library that
+   the kit uses: sqrt, fabs, floor, copysign, and fma where FP_FAST_FMA says that it is fast.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -447,9 +448,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #define VARMASS_BASE_SELF_CHECK_H
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
-   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot know
-   their values. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` 2^27 + 1 (float 2^12 + 1),
+   the factor that splits a number into two halves. The caller reads them from volatile variables, so that the compiler
+   cannot know their values. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -584,12 +585,13 @@ enum {
     ODE_RTOL_RAISED = 1, /* the option rtol was too small for the method: rk45_init has raised it to 16 eps, or
                             rk87_init has raised it to 256 eps */
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
-    ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
-    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state or an option is not
-       finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component has no tolerance,
-       h_min is negative or above h_max, or an event has no g. Or a time of output is outside the last step, or the
-       listed times are not in order. Or a saved run does not fit, or the init function of another method made the
-       rk45. */
+    ODE_STIFF = 3,       /* success, but during this call stability, not the tolerance, came to limit the step size;
+                            later calls return ODE_OK, and s->stiff remains 1 */
+    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state, rtol, atol or h0 is
+       not finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component has no
+       tolerance, an element of atol_each is negative, h_min is negative or above h_max, or an event has no g, a
+       negative room or a negative stop_after. Or a time of output is outside the last step, or the listed times are not
+       in order. Or a saved run does not fit, or the init function of another method made the rk45. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
     ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
@@ -599,7 +601,8 @@ enum {
        the largest number of the type. A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
-    ODE_WORK_TOO_SMALL = -6 /* work_size is less than RK45_WORK(n) or RK87_WORK(n), or size is less than RK45_SAVED */
+    ODE_WORK_TOO_SMALL = -6 /* an array is too short: work needs RK45_WORK(n) or RK87_WORK(n) numbers, a saved run
+                               RK45_SAVED or RK87_SAVED bytes */
 };
 
 /* A function that writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx is
@@ -619,7 +622,9 @@ VM_API const char *ode_strerror(int status)
     case ODE_NOT_FINITE: return "the right-hand side, the state or an event function is not finite";
     case ODE_STEP_TOO_SMALL: return "the step size became too small";
     case ODE_MAX_STEPS: return "max_steps was reached";
-    case ODE_WORK_TOO_SMALL: return "work is too small: it needs RK45_WORK(n) or RK87_WORK(n) numbers";
+    case ODE_WORK_TOO_SMALL:
+        return "an array is too short: work needs RK45_WORK(n) or RK87_WORK(n) numbers, a saved run RK45_SAVED or "
+               "RK87_SAVED bytes";
     default: return "unknown status";
     }
 }
@@ -839,7 +844,7 @@ typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
     vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
     vm_real h0;               /* size of the first step, 0: computed from f. Its sign is the direction of rk45_step. */
-    vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
+    vm_real h_min;            /* size of the shortest step, except at t_end and events; default: the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
     long max_steps;           /* steps that a call of rk45_solve may try; default 1000000, negative means no limit */
     const vm_real *atol_each; /* NULL, or n absolute tolerances of the components, in place of atol; 0 means none */
@@ -1030,9 +1035,9 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
-   stops the run, it returns from the function that makes the stages. In every sum the coefficients are multiplied by h
-   first, and the k that was evaluated last is the last term. So only one multiplication and one addition come between
-   one evaluation of f and the next. */
+   stops the run, it returns from the function that makes the stages. In every sum the latest k is the last term, and
+   its coefficient is multiplied by h first. So only one multiplication and one addition come between one evaluation of
+   f and the next. (In stage 8 of rk87, k_7 is in an earlier term, too.) */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \
@@ -1074,7 +1079,7 @@ typedef struct VM_TAG(rk45) {
     vm_real t;            /* current time */
     vm_real *y;           /* current state, n numbers (in work) */
     vm_real t_old;        /* the last accepted step is from t_old to t (rk45_interpolate); t_old is t after an error */
-    vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
+    vm_real h;            /* size of the next step to be tried, with its sign; at first the option h0, which may be 0 */
     long steps;           /* number of accepted steps; these counts stop at LONG_MAX */
     long rejected;        /* number of rejected steps */
     long evals;           /* number of evaluations of f */
@@ -1389,10 +1394,10 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Chooses the size s->h of the first step from the magnitudes of y, y' and y'' (Hairer et al. [2, II.4]). The aim is
-   an error of this step of 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
-   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. The function overwrites k_2 and the part VMI_Z of
-   work. Returns a status. */
+/* Chooses the size s->h of the first step from the magnitudes of y, y' and y'' (Hairer et al. [2, II.4]). The aim is an
+   error of this step of 1 % of the tolerance. |s->h| is at most `longest`, and at most 100 times the size of a step
+   that changes y by 1 % (at most 1e-4 if y or y' is below 1e-5 of the tolerance). `direction`, 1 or -1, is the sign of
+   s->h. The function overwrites k_2 and the part VMI_Z of work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -2005,9 +2010,9 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
 }
 
 /* Finds the first event that ends the step: *cut becomes the fraction of the step at which this event happens, and
-   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the
-   functions g of all other events are followed again up to *cut, because their values at *cut may show that one of
-   them has an earlier zero. The search ends when there is no earlier zero. Returns a status. */
+   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the functions
+   g of all other events that can end a step are followed again up to *cut, because their values at *cut may show that
+   one of them has an earlier zero. The search ends when there is no earlier zero. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -2146,7 +2151,8 @@ VM_API void vmi_keep_events(rk45 *s)
 }
 
 /* Undoes the last step, and takes back the counts of its events, because a function of the user failed during the
-   search for events. The next call then makes the same step again, and no event is lost. */
+   search for events or the state at an event is not finite. The next call then makes the same step again, and no event
+   is lost. */
 VM_API void vmi_take_back_events(rk45 *s)
 {
     int i;
@@ -2270,6 +2276,8 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
     const vm_real direction = vmi_direction(s, t_end);
     vm_real *k1 = vmi_part(s, VMI_K), least;
     int status = ODE_OK;
+    s->t_old = s->t; /* the k of the step before this one are overwritten, even if an error follows */
+    s->t_old_low = s->t_low;
     if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(&s->pair)), k1);
     if (s->k1 == VMI_K1_MISSING) {
         status = vmi_eval(s, s->t, s->y, k1);
@@ -2279,8 +2287,6 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
         if (status) return status;
     }
     s->k1 = VMI_K1_READY;
-    s->t_old = s->t;
-    s->t_old_low = s->t_low;
     if (s->h == 0) status = vmi_first_step(s, direction, longest);
     if (status) return status;
     least = vmi_least_step(&s->options, s->t);
@@ -2529,8 +2535,10 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 #define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
-/* Returns the options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16
-   VM_EPSILON. If options_or_NULL is NULL, all options have their defaults. */
+/* Returns the options of rk45 as rk45_init uses them. Each zero is replaced by its default (h0 and h_min stay 0), each
+   negative tolerance by 0, and a positive rtol below 16 VM_EPSILON by 16 VM_EPSILON. If options_or_NULL is NULL, all
+   options have their defaults. Do not pass a result with a tolerance 0 to rk45_init, which would replace this 0 by the
+   default. */
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
     const vmi_rk_pair pair = vmi_rk45_pair();
@@ -2573,10 +2581,11 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite
-   if there is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last
-   accepted step. Returns a status. The status is ODE_MAX_STEPS after options.max_steps attempts; another call then
-   continues the run. */
+/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if
+   there is such an event. If s->t is t_end already, s->event becomes -1 and s->y changes only by rounding errors: if an
+   event has ended the last step just before t_end, a step shorter than the resolution of t is made. After an error s->t
+   and s->y are those of the last accepted step. Returns a status. The status is ODE_MAX_STEPS after options.max_steps
+   attempts; another call then continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;
@@ -2708,7 +2717,7 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
    This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 is nearly the same with
    and without a jump in the first nine tenths of the step: in this difference the weights of the k before the jump add
-   up to 4e-4 at most. `seen` is the magnitude of another sum of the k, of order 5. In this sum the weights of the k
+   up to 4.2e-4 at most. `seen` is the magnitude of another sum of the k, of order 5. In this sum the weights of the k
    before the jump add up in magnitude to
      0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
      k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
@@ -2982,9 +2991,10 @@ VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 }
 
 /* Computes the state y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The
-   first call after a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between
-   s->t_old and s->t. In these evaluations f may also stop the run (then the status is ODE_RHS_STOPPED) or give a number
-   that is not finite (ODE_NOT_FINITE), although the step itself has succeeded. */
+   first call after a step evaluates f seven times, unless t is s->t or the run has events: then the search for events
+   has made these evaluations. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. In these evaluations f
+   may also stop the run (then the status is ODE_RHS_STOPPED) or give a number that is not finite (ODE_NOT_FINITE),
+   although the step itself has succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;
@@ -3086,11 +3096,11 @@ VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *ro
 #endif
 /* integrators/saved.h - runs that are saved as bytes and resumed later
 
-   A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that
-   resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run
-   has the same bits as a run that was not interrupted. A plain copy of an rk45 is not enough: y, work, options.events
-   and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point to functions
-   and data of the program.
+   A saved run has the numbers of an rk45 except its options, and those of its work and of its events, but no pointers.
+   The program that resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The
+   resumed run has the same bits as a run that was not interrupted. A plain copy of an rk45 is not enough: y, work,
+   options.events and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair
+   point to functions and data of the program.
 
        unsigned char bytes[RK45_SAVED(2, 0)]; // n = 2, no events
        double y0[2] = {1, 0}, work[RK45_WORK(2)], other_work[RK45_WORK(2)];
@@ -3196,6 +3206,7 @@ VM_API void vmi_saved_int(vmi_saved_place *p, int *x)
     if (!p->saves) *x = (int)(int32_t)(uint32_t)bits;
 }
 
+/* Writes or reads the numbers of an event. */
 VM_API void vmi_saved_move_event(vmi_saved_place *p, ode_event *e)
 {
     vmi_saved_long(p, &e->count);

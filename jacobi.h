@@ -46,9 +46,10 @@
    ERRORS
      These arguments give NaN: m > 1, or m1 < 0 in functions that take m1 = 1 - m (jacobi_sncndn_any and the incomplete
      integrals allow both); c < 0 in the functions jacobi_solve_...; NaN; and infinite numbers, with two exceptions. The
-     first exception: jacobi_K, jacobi_E, jacobi_D, jacobi_Pi, the incomplete integrals, the inverses and Carlson's
-     integrals return the limit at an infinite argument, and NaN where there is no limit. The second: m = 1 gives the
-     limits, for u = +-infinity too: K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u.
+     first exception: jacobi_K, jacobi_E, jacobi_D, jacobi_Pi, the incomplete integrals, the inverses of sn and cn, and
+     Carlson's integrals return the limit at an infinite argument, and NaN where there is no limit. The second: m = 1
+     gives the limits, for u = +-infinity too: K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u. But
+     jacobi_agm_sncndn gives NaN for m = 1.
      A quotient such as sn/cn is infinite at its poles, where the denominator is 0. For m > 1 and for an infinite or NaN
      m, jacobi_plan_init returns -1 and leaves the plan as it was. No other error is possible. The functions allocate no
      memory and keep no state; errno says nothing about their errors.
@@ -119,8 +120,9 @@
                   jacobi_solve_... makes
 
    COST
-     docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. A jacobi_plan has
-     312 [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the name in brackets is that of the row of
+     docs/cost.md has the times of the functions that are used most, docs/peers.md those of the incomplete integrals and
+     of R_F and R_J, docs/counts.md the number of instructions of a call of many functions. A jacobi_plan has 312
+     [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the name in brackets is that of the row of
      docs/numbers.md with this number. The largest stack frame is about 1 kB.
 
    REFERENCES
@@ -218,8 +220,8 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker if a program has files in float and in double. It names the four functions of the C library
-   that the kit uses: sqrt, fabs, floor, copysign.
+   results, and the linker if a program has files in float and in double. It names the functions of the C library that
+   the kit uses: sqrt, fabs, floor, copysign, and fma where FP_FAST_FMA says that it is fast.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 
@@ -477,9 +479,9 @@ VM_API vm_two vmi_two(vm_real hi, vm_real lo)
 #define VARMASS_BASE_SELF_CHECK_H
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
-   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot know
-   their values. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` 2^27 + 1 (float 2^12 + 1),
+   the factor that splits a number into two halves. The caller reads them from volatile variables, so that the compiler
+   cannot know their values. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;
@@ -2437,8 +2439,8 @@ VM_API vm_real jacobi_dn(vm_real u, vm_real m)
 
 /* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. The amplitude is odd, continuous
    and rising (apart from errors of 4 ulp), and am(u + 2K) = am(u) + pi. The error is at most 8 ulp for |u| <= 100 K.
-   Returns NaN for m > 1 and for infinite arguments, but for m = 1 and an infinite u the limit, pi/2 or -pi/2. Method:
-   am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
+   Returns NaN for m > 1 and for infinite arguments, except that for m = 1 and an infinite u it returns the limit, pi/2
+   or -pi/2. Method: am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -3733,10 +3735,10 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. R_J does not change if x, y and z are
    exchanged. For p > 0 the error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16
-   ulp elsewhere. For p < 0 R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of
-   R_J(x, y, z, |p|). R_J is infinite if p = 0 or if two of x, y, z are 0. It is 0 if an argument is infinite. It is NaN
-   if both hold, or if x, y or z is negative. It may be NaN, too, if one argument is more than 1e307 times (float 1e37)
-   another one that is not 0. DLMF 19.16.2. */
+   ulp elsewhere. For p < 0 R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y,
+   z, |p|). R_J is infinite if p = 0; if two of x, y, z are 0, it is infinite with the sign of p. It is 0 if an argument
+   is infinite. It is NaN if both hold, or if x, y or z is negative. It may be NaN, too, if one argument is more than
+   1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
@@ -3744,6 +3746,7 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     vmi_carlson_scale by;
     vm_real rj;
     if (!vmi_carlson_allowed(x, y, z) || p != p) return VM_NAN;
+    if (zeros && !infinite && p < 0) return -VM_INFINITY;
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
     by = vmi_carlson_scale_of(largest);
     if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
@@ -4060,7 +4063,7 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 /* F(phi | m), the incomplete elliptic integral of the first kind. F is the inverse of the amplitude. F is odd in phi,
    and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 F is
    phi for infinite phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 F is infinite for |phi| > pi/2.
-   For m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call.
+   For m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/peers.md has the time of a call.
    DLMF 19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
@@ -4108,10 +4111,10 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return vmi_with_turns(angle.turns, vmi_E(m1, m1_lo), part);
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1
-   E(phi + pi) = E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for
-   infinite phi. For m = -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where
-   m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1 E(phi + pi) = E(phi)
+   + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for infinite phi. For m =
+   -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where m sin^2 phi > 1, for |phi|
+   > pi/2, and for infinite m. docs/peers.md has the time of a call. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4350,14 +4353,14 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
     return vmi_with_turns(angle.turns, vmi_Pi(n, m, m1), part);
 }
 
-/* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd
-   in phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
+/* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
+   phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1; if rounding makes n sin^2 phi equal to 1, Pi is infinite.
    Beyond the first pole Pi is Cauchy's principal value. For n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the
    effect of changing n by 4 ulp. For a finite phi, Pi is 0 for infinite n and a finite m < 1, and for m = -infinity and
    a finite n < 1. Pi is NaN for those infinite n or m for which jacobi_Pi(n, m) is NaN. For infinite phi and m <= 1, Pi
    is infinite with the sign of phi Pi(n | m), and NaN if Pi(n | m) is 0 or NaN. For m > 1 Pi is NaN where m sin^2 phi >
-   1, for |phi| > pi/2, and for infinite m or n. docs/cost.md has the time of a call. DLMF 19.2.7. */
+   1, for |phi| > pi/2, and for infinite m or n. docs/peers.md has the time of a call. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

@@ -58,7 +58,8 @@
      Functions that can fail return a status: 0 (VM_OK), a positive number (the work is done, but there is a remark) or
      a negative one (an error; the outputs are unchanged). vm_strerror() explains a status. The same mistake has the
      same status in every function; base/status lists all statuses. Functions that return a number return NaN outside
-     their domain and for infinite arguments. An output may be the same variable as an input.
+     their domain and, unless their comment says otherwise, for infinite arguments. An output may be the same variable
+     as an input.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         all numbers are float instead of double (tests run both)
@@ -101,9 +102,10 @@
      docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the number of
      instructions of a call. docs/firmware.md has the flash memory, the stack and the number of instructions of a call
      on microcontrollers, docs/parts.md the flash memory that a chapter takes.
-     The time of a call is bounded, with two exceptions. A function that takes n objects or a list needs a time in
-     proportion to their number. A function that integrates (routes of oscillators, scenes) needs a time in proportion
-     to the length of the run; its comment says so.
+     The time of a call is bounded, with three exceptions. A function that takes n objects or a list needs a time in
+     proportion to their number. Lagrange's equations with n coordinates, and joints with n equations, need a time that
+     grows like n^3. A function that integrates (routes of oscillators, scenes) needs a time in proportion to the length
+     of the run; its comment says so.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.
@@ -158,7 +160,7 @@
        vm_kinetic_energy              Kinetic energy of a body (93), (97), J
        vm_balance_between             Balance of momentum, angular momentum and energy before and after a jump
 
-     mechanics/bodies2: momentum and energy of bodies in the plane, and their conversion to bodies in space
+     mechanics/bodies2: angular momentum and energy of bodies in the plane, and their conversion to bodies in space In
        vm_angular_momentum2           Angular momentum of a body that moves in the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body that moves in the plane, J
        vm_body_from_body2             Converts a body that moves in the plane to a body in space
@@ -1605,9 +1607,9 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
 /* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
-/* Returns the vector of length 1 in the direction of a. The relative error of each component is within 4 eps, if the
-   length of a is a normal number (at least VM_MIN). Returns NaN if a component is infinite or if the length of a is 0,
-   because a then has no direction. */
+/* Returns the vector of length 1 in the direction of a. If the length of a is a normal number (at least VM_MIN), the
+   relative error of each component that is a normal number is within 4 eps. Returns NaN if a component is infinite or
+   if the length of a is 0, because a then has no direction. */
 VM_API vm_vec3 vm_unit(vm_vec3 a)
 {
     const vm_vec3 b = vmi_over(a, vmi_norm_max(a));
@@ -2293,12 +2295,15 @@ typedef struct VM_TAG(vm_balance) {
 
 /* ---- momentum, angular momentum and kinetic energy ---- */
 
-/* The angular momentum of a body about its own mass centre, in inertial axes */
-VM_API vm_vec3 vmi_spin_momentum(const vm_body *body)
+/* The angular momentum about its own mass centre, in inertial axes, that a body has if its angular velocity is omega */
+VM_API vm_vec3 vmi_spin_momentum_at(const vm_body *body, vm_vec3 omega)
 {
     const vmi_mat3 m = vmi_rotation(body->q);
-    return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, body->omega)));
+    return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, omega)));
 }
+
+/* The angular momentum of a body about its own mass centre, in inertial axes */
+VM_API vm_vec3 vmi_spin_momentum(const vm_body *body) { return vmi_spin_momentum_at(body, body->omega); }
 
 /* Momentum of a body, mass times velocity, (1)-(3), N s. The body is not checked. The result is NaN for a null pointer,
    and if a field that the function uses is NaN. */
@@ -2497,8 +2502,8 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 }
 
 #endif
-/* mechanics/bodies2.h - momentum and energy of bodies in the plane, and their conversion to bodies in space
-   In the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
+/* mechanics/bodies2.h - angular momentum and energy of bodies in the plane, and their conversion to bodies in space In
+   the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
    dissertation [1]. The type of such a body, vm_body2, is in bodies.h.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
@@ -3287,9 +3292,9 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
    angular velocity makes the rest turn with the angular velocity *rest_omega_or_NULL (rad/s). If one of these two
    pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part.
      - If *rest_omega_or_NULL is the vector 0, the rest does not turn (Table 2 of [1], cases 5 and 7; Table 4, case 2).
-     - If *rest_v_or_NULL is also the vector 0, the rest does not move at all (Table 3, cases 6 and 8).
-     - If these two vectors are equal to the velocity and the angular velocity of the whole, the rest moves on as the
-       whole did (Table 3, case 7).
+     - If *rest_v_or_NULL is the vector 0, the mass centre of the rest is at rest (Table 2, case 7; Table 3, cases 6
+       and 8).
+     - If *rest_omega_or_NULL is the angular velocity of the whole, the rest turns as the whole did (Table 3, case 7).
 
    Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. In
    this case the part cannot have this angular momentum, and *moving brings the rest as close to the wanted motion as
@@ -3399,9 +3404,9 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
 /* Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s). *moving becomes a copy
    of *part with the new velocity; the velocity in *part is not read. The part keeps its angular velocity. Let S and S2
    be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
-   component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. This is case 7 of
-   Table 3 in the dissertation. Returns VM_SINGULAR if S and S2 are one point, because then no velocity turns the rest.
-   The other statuses are those of vm_separate2. */
+   component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. If rest_omega is
+   the angular velocity of the whole, this is case 7 of Table 3 in the dissertation, corrected. Returns VM_SINGULAR if S
+   and S2 are one point, because then no velocity turns the rest. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -3539,19 +3544,12 @@ typedef struct VM_TAG(vmi_axle_sum) {
     vm_vec3 linear, angular, arm;
 } vmi_axle_sum;
 
-/* The angular momentum, about the mass centre of a body, that the body has if its angular velocity is omega */
-VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
-{
-    const vmi_mat3 turn = vmi_rotation(body->q);
-    return vmi_times(&turn, vmi_inertia_times(&body->inertia, vmi_times_transposed(&turn, omega)));
-}
-
 /* Adds `sign` times the momentum and the angular momentum of a body to *sum. Both are relative to the frame that turns
    about the point O with the angular velocity omega. */
 VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, vm_vec3 O, vm_vec3 omega)
 {
     const vm_vec3 d = vm_sub(body->r, O), slip = vm_sub(body->v, vm_cross(omega, d));
-    const vm_vec3 momentum = vm_scale(body->mass, slip), spin = vmi_axle_spin(body, vm_sub(body->omega, omega));
+    const vm_vec3 momentum = vm_scale(body->mass, slip), spin = vmi_spin_momentum_at(body, vm_sub(body->omega, omega));
     sum->linear = vm_add(sum->linear, vm_scale(sign, momentum));
     sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
 }
@@ -3588,7 +3586,7 @@ VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_su
                          vm_impulse *reaction)
 {
     const vm_vec3 d = sum->arm, speed = vm_cross(e, d); /* velocity of the mass centre at 1 rad/s */
-    const vm_vec3 column = vm_add(vmi_axle_spin(b, e), vm_scale(b->mass, vm_cross(d, speed)));
+    const vm_vec3 column = vm_add(vmi_spin_momentum_at(b, e), vm_scale(b->mass, vm_cross(d, speed)));
     const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
     vm_real change = 0;
     vm_vec3 couple;
@@ -3753,8 +3751,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
                                               the velocity of S2 perpendicular to S2A [(58) corrected]. */
     vm_real stop_inertia;                  /* If the piece had this inertia I_S2, kg m^2, the remainder would not turn
                                               after the break. If the value is < 0 or not finite, no such inertia
-                                              exists. For alpha = 0 the value is I_S (R - SS2)/R [after (64),
-                                              corrected]. */
+                                              exists. If alpha = 0 and the velocity of S is along SA or 0, the value
+                                              is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
 /* Returns VM_OK if all fields of the rotor are finite and have the signs that vm_broken_rotor demands, else the
@@ -3798,8 +3796,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
    Its type is ode_rhs. The state y has the VM_BROKEN_ROTOR_STATES numbers {r, phi, psi, r', phi', psi'}. `rotor` must
-   point to a vm_broken_rotor. Returns VM_DOMAIN, which ends the run, if r is not positive; else a status of
-   vm_broken_rotor_rhs. */
+   point to a vm_broken_rotor. Returns VM_NOT_FINITE if r is NaN; VM_DOMAIN, which ends the run, if r is not positive;
+   else a status of vm_broken_rotor_rhs. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -4665,11 +4663,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     if (!body || !matrix) return;
     for (j = 0; j < n; j++) {
         vm_vec3 spin = vmi_vec3(0, 0, 0);
-        if (turn_or_NULL) {
-            vm_body moved = *body;
-            moved.omega = turn_or_NULL[j];
-            spin = vmi_spin_momentum(&moved);
-        }
+        if (turn_or_NULL) spin = vmi_spin_momentum_at(body, turn_or_NULL[j]);
         for (i = 0; i < n; i++) {
             vm_real sum = 0;
             if (dr_or_NULL) sum = body->mass * vm_dot(dr_or_NULL[i], dr_or_NULL[j]);
@@ -4700,7 +4694,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
     if (!impulse || !p) return;
-    const vm_vec3 moment = vm_add(impulse->couple, vm_cross(vm_sub(impulse->at, r), impulse->linear));
+    const vm_vec3 moment = vmi_impulse_moment(impulse, r);
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 
@@ -4824,6 +4818,7 @@ typedef struct VM_TAG(vm_pendulum_cut) {
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
+    /* The angular momenta L1 and L2 are positive in the direction in which the angle phi grows. */
     vm_real L1;       /* angular momentum of the remaining rod about its end O after the cut (130), kg m^2/s */
     vm_real L2;       /* angular momentum of the part about the same point O, kg m^2/s [(128) corrected] */
     vm_real pivot_x;  /* impulse of the pivot on the remaining rod during the cut, along x, N s */
@@ -5342,7 +5337,8 @@ VM_API int vmi_torque_free_is_constant(const vmi_torque_free_axes *axes)
    two words limit the accuracy after many turns close to the separatrix. A component of omega below 2^-505 (float
    2^-57) times the largest component is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
-    vm_body body;                /* the body at the time t0 */
+    vm_body body;                /* the body at the time t0; after vm_torque_free_init_principal the components of its
+                                    omega are along the body axes */
     vm_real t0;                  /* the time at which the body has the state `body`, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
@@ -5353,12 +5349,14 @@ typedef struct VM_TAG(vm_torque_free) {
                                     w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
     vm_two phase;                /* u/(4K) at t0, where u is the argument of sn, cn, dn; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, 1/s */
-    vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix */
+    vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix and if omega is
+                                    constant */
     vm_two turn_rate;            /* mean rate, turns/s, of the angle s h in equation (B) below; s h is half the angle
                                     through which the body has turned about the angular momentum */
     vm_real m1;                  /* 1 - m, where m is the parameter of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0; for m1 > 0.05 only k' */
-    vmi_doubled_theta theta;     /* the theta function of equation (B) below; sigma arg theta is h - kappa t */
+    vmi_doubled_theta theta;     /* the theta function of equation (B) below, or its complex conjugate if sigma s < 0;
+                                    its argument (angle) is s (h - kappa t) */
 } vm_torque_free;
 
 /* The solution. Let 1, 2, 3 be the principal axes of the body: axis 2 has the middle moment of inertia, and the vector
@@ -5657,7 +5655,7 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
     x = motion->lean[1] * sn;
     y = motion->lean[0] * cn;
     over = 1 / VM_SQRT(2 * w * (re * re + im * im));
-    c = over * (cosine * re - sine * im); /* cos h and sin h, divided by sqrt(2 w) */
+    c = over * (cosine * re - sine * im); /* cos(s h) and sin(s h), with the s of (B), divided by sqrt(2 w) */
     s = over * (sine * re + cosine * im);
     *turn = vmi_quat(c * w, vmi_times(&motion->axes, vmi_vec3(c * x - s * y, c * y + s * x, s * w)));
     *omega = vmi_times(&motion->axes, vmi_vec3(motion->spin[0] * cn, motion->spin[1] * sn, motion->spin[2] * dn));
@@ -5761,8 +5759,8 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
    the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0.
    If the quaternion at t0 was all zero, or if its length was within 64 eps of 1, the length of *q is 1. Returns
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
-   is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns is
+   above about 1e300 (float 8e34), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but the angle through which the body has turned has no
    correct digits. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
@@ -6058,9 +6056,8 @@ typedef struct VM_TAG(vmi_stream_seen) {
 } vmi_stream_seen;
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
-   are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this relative
-   velocity. The function does not subtract v from u, because the difference u - v would lose digits if the body is
-   fast. */
+   are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this velocity as the
+   difference u - v, which is then not computed from u and v: if the body is fast, it would lose digits. */
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */
@@ -6280,11 +6277,11 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
    This chapter has right-hand sides of equations of motion, for the integrators rk45 and rk87. The body is rigid, and
    its mass, mass centre and inertia change while it moves. In vm_flow_rhs streams cause these changes, as in the
    equations (151), (152) of the dissertation [1]. In vm_flow_given_rhs mass, mass centre and inertia are given
-   functions of time (170). In vm_flow_carried_rhs mass, mass centre and inertia are given functions of time, too, and
-   the mass that is lost or gained moves with the body (166). In vm_flow_rhs and vm_flow_given_rhs momentum and angular
-   momentum are states (numbers to integrate), from which velocity and angular velocity follow. Therefore a momentum
-   that is conserved stays exactly constant. The rate of a stream may jump, because momentum and angular momentum do
-   not jump with this rate.
+   functions of time (170). In vm_flow_carried_rhs mass, inertia and the rate of the mass centre are given functions of
+   time, and the mass that is lost or gained moves with the body (166). In vm_flow_rhs and vm_flow_given_rhs momentum
+   and angular momentum are states (numbers to integrate), from which velocity and angular velocity follow. Therefore a
+   momentum that is conserved stays exactly constant. The rate of a stream may jump, because momentum and angular
+   momentum do not jump with this rate.
 
        vm_flow flow;
        ode_event empty;
@@ -6352,11 +6349,11 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
        state. It may set every field of the flow and of its streams: for example the weight (flow->force = mass times g,
-       with the mass y[VM_Y_MASS]), the rate of a stream that a valve changes, or the mass M(t), mass centre c(t) and
-       inertia I(t) for vm_flow_given_rhs and vm_flow_carried_rhs. The function returns 0 to go on. If it returns
-       another number, the run ends with the integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth
-       functions of t and y. To switch something at an instant, use an event with the action ODE_RESTART and set the
-       event's function `change`. */
+       with the mass y[VM_Y_MASS]), the rate of a stream that a valve changes, the mass M(t), mass centre c(t) and
+       inertia I(t) for vm_flow_given_rhs, or M(t), I(t) and the rate c'(t), the field `drift`, for vm_flow_carried_rhs.
+       The function returns 0 to go on. If it returns another number, the run ends with the integrator's status
+       ODE_RHS_STOPPED. The values that it sets must be smooth functions of t and y. To switch something at an instant,
+       use an event with the action ODE_RESTART and set the event's function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
@@ -6372,9 +6369,10 @@ typedef struct VM_TAG(vm_flow) {
        then NaN, so that the integrator shortens its step. An event should stop the run before the mass or the inertia
        becomes impossible. */
     int status;
-    /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
-       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
-       VM_FLOW_BALANCED_STATES, it also sets the seven integrals of the balance to 0. */
+    /* Length of the array y, VM_LENGTH(y), which the right-hand sides, vm_flow_start and vm_flow_body check (the two
+       event functions do not); 0 means unknown. vm_flow_start writes VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as
+       many as y_size allows. If y_size allows all VM_FLOW_BALANCED_STATES, it also sets the seven integrals of the
+       balance to 0. */
     int y_size;
 } vm_flow;
 
@@ -6449,7 +6447,7 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     const int status = vmi_flow_check_mass(b->mass);
     if (status) return status;
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
-    *turn = vmi_rotation_of_square(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    *turn = vmi_rotation_of_square(q, vmi_quat_square(q));
     h = vmi_times_transposed(turn, vmi_get3(y + VM_Y_H));
     vmi_stream_on_the_way(flow->n, flow->streams, b->centre, &p_on_the_way, &h_on_the_way);
     seen->turn = turn;
@@ -6564,7 +6562,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow *flow = (vm_flow *)ctx;
     const vm_quat q = vmi_get_quat(y + VM_Y_Q);
-    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    const vm_real square = vmi_quat_square(q);
     const vm_vec3 omega = vmi_get3(y + VM_Y_H);
     vmi_mat3 turn;
     vmi_inertia_ldl factors;
@@ -6657,7 +6655,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
    be a state of vm_flow_carried_rhs, which has different states. Returns
    - VM_BAD_ARGUMENT for a null pointer, and if n < VM_FLOW_GIVEN_STATES or the number of streams is negative;
    - VM_SHORT_ARRAY if flow.y_size is below n but not 0;
-   - VM_NOT_FINITE if a number of y or of the result is infinite or NaN;
+   - VM_NOT_FINITE if a number of y that describes the body, or a number of the result, is infinite or NaN;
    - VM_BAD_MASS if the mass is not positive;
    - VM_BAD_INERTIA if no body can have the inertia, and also for a rod or a point;
    - VM_OK otherwise. */
@@ -6962,7 +6960,8 @@ enum {
 /* A stream of mass that enters or leaves a body on a line or an axle. For a body on an axle let M' be the mass per
    time, rho the distance from the axle at which the mass enters or leaves, and kappa the inertia per unit mass of this
    mass about its own mass centre. Then `rate` must be M' (kappa + rho^2), the rate of the moment of inertia. `velocity`
-   must be the angular momentum per unit mass, about the axle, of this mass, divided by kappa + rho^2. */
+   must be the angular momentum per unit mass, about the axle, of this mass, divided by kappa + rho^2. If `motion` is
+   VM_RELATIVE, this is the angular momentum of the motion relative to the body. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */
@@ -7261,15 +7260,16 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
 
    The equations. Let m be the mass that is left, m1 that of the full supply, L the length, R the radius, e the unit
    vector along the axis from the lower end to the upper one, E the unit matrix, and b the lower end of the axis. The
-   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The mass that leaves next lies at the point s,
-   and its inertia per unit mass is q_a e e^T + q_t (E - e e^T).
+   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The part by which the supply shrinks next lies at
+   the point s. In a tank of liquid this point is at the surface, although the outlet is at the lower end. The inertia
+   of this part per unit mass is q_a e e^T + q_t (E - e e^T).
      liquid  level h = L m/m1, c = b + e h/2, k_a = R^2/2, k_t = R^2/4 + h^2/12; s = b + e h, q_a = R^2/2, q_t = R^2/4
      gas     c = s = b + e L/2, k_a = q_a = R^2/2, k_t = q_t = R^2/4 + L^2/12
      grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
              k_a = (R^2 + r^2)/2, k_t = (R^2 + r^2)/4 + L^2/12, q_a = r^2, q_t = r^2/2 + L^2/12
    These formulas follow from the volumes. The first and second moments of the mass about a fixed point give the
    identities d(m c)/dm = s and dI/dm = Q + P(s - c), where I is the inertia about c, Q the inertia per unit mass of the
-   mass that leaves next, and P(d) = |d|^2 E - d d^T.
+   part by which the supply shrinks next, and P(d) = |d|^2 E - d d^T.
    Tests: tests/test_supply.c. */
 #ifndef VARMASS_MECHANICS_SUPPLY_H
 #define VARMASS_MECHANICS_SUPPLY_H
@@ -7303,8 +7303,8 @@ typedef struct VM_TAG(vm_supply_left) {
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
     vm_vec3 centre_by_mass;     /* derivative of `centre` with respect to the mass, m/kg */
     vm_inertia inertia_by_mass; /* derivative of `inertia` with respect to the mass, m^2 */
-    vm_store store;             /* position and gyration of the mass that leaves next, for the field `from` of a
-                                   vm_stream */
+    vm_store store;             /* position and gyration of the part by which the supply shrinks next, for the field
+                                   `from` of a vm_stream */
 } vm_supply_left;
 
 /* The tensor axial e e^T + transverse (E - e e^T) for a unit vector e and the unit matrix E. The diagonal entries are
@@ -7713,7 +7713,7 @@ typedef struct VM_TAG(vm_drum_shaft) {
 
 /* The mass of the band per radian on a drum, mu = R h b rho (181), kg/rad.
    The radius R of the drum, the thickness h and the width b of the band are in m, and the density rho of the band is in
-   kg/m^3. If an argument is NaN, the result is NaN. */
+   kg/m^3. The arguments are not checked. If an argument is NaN, the result is NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
 {
     return radius * thickness * width * density;
@@ -7896,8 +7896,8 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 /* Right-hand side of the equations of the shaft's vibration as a function of the angle phi, (210), (211).
    Its type is ode_rhs. The state y has VM_DRUM_ANGLE_STATES numbers. `drum` must point to a vm_drum. The independent
    variable is the angle phi instead of time. The angular velocity phi' is taken from the drum on a rigid shaft (196).
-   Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi; else a status
-   of vm_drum_rhs. */
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi, if phi or the
+   field `band` is negative, or if `inertia` or `omega` is not positive; else a status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -8043,11 +8043,11 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
    The letters J0, Omega_b, e, j are explained at vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b)
-   and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with
-   x = -exp(-f1/k1)/k1. W is the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function serves only
-   for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits, because x
-   approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows for small k1 (for
-   k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
+   and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with x =
+   -exp(-f1/k1)/k1. W is the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function serves only for
+   comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits, because x approaches
+   the branch point of W. The code uses ln |x|, because x itself overflows or underflows for small k1 (for k1 = 1e-3 it
+   may be 1e-868). Returns NaN for e = 0, for k1 = 0, for j = 0, and where vm_drum_rate returns NaN. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */
@@ -8393,8 +8393,9 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y contains the coordinates q and the momenta pi. Returns
-   VM_NOT_FINITE if t, y or A is not finite, VM_SINGULAR if they are finite but A is not positive definite, and VM_OK
-   otherwise. y is checked because A and b may not depend on each coordinate. */
+   VM_SINGULAR if an entry A_kk on the diagonal is zero or negative, or if A is finite but not positive definite;
+   VM_NOT_FINITE if t, y or A is not finite; and VM_OK otherwise. y is checked because A and b may not depend on each
+   coordinate. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -8402,6 +8403,10 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     if (!VM_IS_FINITE(t) || !vmi_all_finite(2 * system->n, y)) return VM_NOT_FINITE;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
+    for (k = 0; k < system->n; k++) { /* if A_kk is not positive, the entries beside it may be NaN */
+        const vm_real own = w.A[k * system->n + k];
+        if (own <= 0 && VM_IS_FINITE(own)) return VM_SINGULAR;
+    }
     if (!vmi_all_finite(system->n * system->n, w.A)) return VM_NOT_FINITE;
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
     return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
@@ -9038,8 +9043,7 @@ VM_API vm_osc_errors vm_osc_approximation_errors(vm_real alpha)
    A smooth function on [-1, 1] is represented by a series, the sum of coefficient[k] P_k(x) over k = 0 ... 19, where
    P_k are Legendre's polynomials. The integral of the function over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds
    the coefficients from the values at the points of Gauss' rule. The other functions evaluate, integrate and
-   differentiate the series, and measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use
-   these functions. Tests: tests/test_laws.c, tests/test_routes.c. */
+   differentiate the series, and measure its size. Tests: tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 
@@ -9314,10 +9318,11 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon. f may have any sign, since the law need not be that of a
-   mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made; VM_NOT_FINITE where t or a
-   result is infinite or NaN; VM_DOMAIN for t outside a table, for a power law where 1 + f1 t <= 0, and where the user's
-   function fails; VM_OK otherwise. An error leaves *f and *rate untouched. */
+   the value in the table, where eps is the machine epsilon; at the last point the error is within 4 eps of the larger of
+   the last two values. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law that no constructor made; VM_NOT_FINITE where t or a result is infinite or NaN; VM_DOMAIN for
+   t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function fails; VM_OK otherwise. An
+   error leaves *f and *rate untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
@@ -9722,8 +9727,10 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
    to t is divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at
    most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
    (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel, and no
-   step of an integrator, is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
-   with VM_DOMAIN. */
+   step of the routes rk45 and rk87, is longer than change_time, and no step of collocation is longer than twice this
+   time. Scenes, and integrators that the user calls, do not read change_time. A change_time that is negative, or
+   positive but less than |t|/2^20, is refused with VM_DOMAIN by the functions that compute an integral or a motion from
+   0 to t. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);
@@ -10339,9 +10346,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set. Polynomials that the law of order five needs only for terms above
-   `order` become 0. The function adds up the power series; in the sum it replaces each power w^i or y^i by the
-   Chebyshev series of this power. */
+/* Makes the eight polynomials, four in each set. For `order` = 3 only the two polynomials CA2 are made, and all others
+   become 0; for the orders 4 and 5 all are made. The function adds up the power series; in the sum it replaces each
+   power w^i or y^i by the Chebyshev series of this power. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -10477,7 +10484,7 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
 }
 
 /* Adds to *r what the law of order five needs if it is cut off after `order`, 3 to 5: the polynomials, and the values
-   of S2 at the zeros of sa and of ca. Polynomials that only higher orders need become 0. */
+   of S2 at the zeros of sa and of ca. For `order` = 3 these two values, and all polynomials except CA2, become 0. */
 VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 {
     vmi_ripple_make_polynomials(r, order);
@@ -10844,7 +10851,7 @@ typedef struct VM_TAG(vmi_osc_closed_now) {
     vm_real decay;         /* exp(-delta u) */
     vm_real inverse;       /* the integral of `decay` over u, s */
     vm_real phase;         /* the integral of W/W(0) from 0 to t, s */
-    vm_real first, second; /* the parts of the mean phase that are proportional to E_0 and to E_0^2 */
+    vm_real first;         /* the part of the mean phase that is proportional to E_0 */
 } vmi_osc_closed_now;
 
 /* Prepares the mean motion, whose values at t = 0 are *start. */
@@ -10863,8 +10870,9 @@ VM_API void vmi_osc_closed_mean_init(vmi_osc_closed_mean *c, const vmi_osc_reduc
     c->second = vmi_expansion_second(r) * start->W * E * E;
 }
 
-/* Returns e^x, and writes (e^x - 1)/x to *ratio; for x = 0 this quotient is 1. Both results are within 2 ulp. Method:
-   e^x is 2^k (1 + p) with an integer k and |p| < 0.42, so that e^x - 1 is 2^k p + (2^k - 1). */
+/* Returns e^x, and writes (e^x - 1)/x to *ratio; for x = 0 this quotient is 1. For x < 709 (float 88) both results are
+   within 2 ulp; for a larger x each of them may be infinite or NaN. Method: e^x is 2^k (1 + p) with an integer k and
+   |p| < 0.42, so that e^x - 1 is 2^k p + (2^k - 1). */
 VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 {
     const vm_real largest = VM_MANT_DIG > 24 ? 1400 : 180; /* for a larger |x|, e^x is infinite or 0 */
@@ -10883,7 +10891,7 @@ VM_API vm_real vmi_exp_and_ratio(vm_real x, vm_real *ratio)
 VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_osc_closed_now *now)
 {
     const vm_real u = t * vmi_log_ratio(c->base * t);
-    vm_real decay, inverse, ratio;
+    vm_real decay, inverse, ratio, second;
     decay = 1 / vmi_exp_and_ratio(c->rates.delta * u, &ratio);
     now->phase = u * ratio;
     inverse = now->phase * decay;
@@ -10892,10 +10900,10 @@ VM_API void vmi_osc_closed_mean_at(const vmi_osc_closed_mean *c, vm_real t, vmi_
     now->decay = decay;
     now->inverse = inverse;
     now->first = c->first * inverse;
-    now->second = c->second * inverse * (1 + decay * (1 + decay)) / 3;
+    second = c->second * inverse * (1 + decay * (1 + decay)) / 3; /* the part that is proportional to E_0^2 */
     now->ln_A = -c->rates.p * u;
     now->state.A = c->start.A * vmi_exp(now->ln_A, 0);
-    now->state.psi = c->start.psi + (c->start.W * now->phase + (now->first + now->second));
+    now->state.psi = c->start.psi + (c->start.W * now->phase + (now->first + second));
     now->ratio = 1 / (decay * now->el);
     now->state.W = c->start.W * now->ratio;
 }
@@ -11013,11 +11021,13 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
      VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
      VM_NOT_FINITE for a number that is infinite or NaN,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end,
-     VM_DOMAIN for alpha < 0,
+     VM_DOMAIN for alpha < 0, for a law that has no value at 0 or t_end, and for a table or a change_time that is not
+       valid,
      VM_NO_LAW for a mass or stiffness without the closed form at the top of this file, for a problem with a force, and
        where mass, stiffness or damping changes the motion so fast that the law of order five is not valid; in these
        cases use vm_osc_plan_init.
-   The call takes as long as some 100 calls of vm_osc_closed_at; with order 2 it takes less than half as long. */
+   The call takes as long as some 100 calls of vm_osc_closed_at; with order 2 it takes two thirds to three quarters of
+   this time. */
 VM_API int vm_osc_closed_init(vm_osc_closed *c, const vm_osc_problem *problem, int order, vm_real t_end)
 {
     vmi_osc_closed_start s;
@@ -11640,8 +11650,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real psi;           /* the mean phase */
     vm_real ln_J;          /* ln of (mean action at t)/(mean action at t = 0); it changes only at points of tables */
     vm_real first;         /* the part of psi that is proportional to E_0 */
-    vm_real second, third; /* `second`: the part of psi that is proportional to E_0^2; `third`: a bound of the terms of
-                              psi that the law of order five leaves out */
+    vm_real third;         /* a bound of the terms of psi that the law of order five leaves out */
     vm_real knots_J[4];    /* element i is for order i + 2: sum of the squares of the errors of ln J at points of
                               tables */
     vm_real knots_psi[4];  /* element i is for order i + 2: sum of the squares of the errors of psi at points of
@@ -11680,7 +11689,6 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     mean.psi = p->mean.psi;
     mean.ln_J = 0;
     mean.first = 0;
-    mean.second = 0;
     mean.third = 0;
     mean.largest = VM_FABS(p->E[0]);
     for (i = 0; i < 4; i++) {
@@ -11849,7 +11857,6 @@ VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_rea
     mean->phase += length * panel->ratio[0];
     mean->psi += W0 * (length * panel->ratio[0]) + (first + second);
     mean->first += first;
-    mean->second += second;
     mean->largest = vmi_larger(panel->largest, mean->largest);
     vmi_osc_add_changes(p, panel, length, mean);
 }
@@ -11977,8 +11984,9 @@ VM_API int vmi_osc_walk_start(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mea
     return VM_OK;
 }
 
-/* Integrates along the laws of mass and stiffness from 0 to t, from one point of a table to the next. It leaves those
-   fields of *mean untouched that vmi_osc_mean_update sets. */
+/* Integrates along the laws of mass and stiffness from 0 to t, from one point of a table to the next. Afterwards those
+   fields of *mean that vmi_osc_mean_update sets are not those at t: they belong to the last point of a table before t,
+   or to t = 0. */
 VM_API int vmi_osc_walk_along(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;
@@ -12041,7 +12049,6 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     mean->inverse_mass = now.u / p->m0;
     mean->phase = now.phase;
     mean->first = now.first;
-    mean->second = now.second;
     mean->psi = now.state.psi;
     mean->third = vmi_osc_closed_third(&p->closed_mean, &now, &p->ripple);
     mean->now.m = p->m0 * vmi_exp(p->laws.rate_m * now.u, 0);
@@ -12251,10 +12258,10 @@ VM_API int vmi_osc_order_n(const vm_osc_plan *p, int route, const vmi_osc_wave *
 
 /* Writes the means of F s and F c over a period to *Fs and *Fc. The wave w gives the function c for the position and
    the function s for the velocity. F is the force during the motion x = A c, x' = -V s, where A is the amplitude and V
-   the largest velocity. Gauss' rule integrates over each quarter of the period in two parts, with 20 points in each.
-   The first part is from psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there. The second part
-   is from cut to the zero of x. There the rule uses the square root of the distance of psi from this zero as its
-   variable, since F may contain fractional powers of this distance. */
+   is w->speed times the largest velocity. Gauss' rule integrates over each quarter of the period in two parts, with 20
+   points in each. The first part is from psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there.
+   The second part is from cut to the zero of x. There the rule uses the square root of the distance of psi from this
+   zero as its variable, since F may contain fractional powers of this distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {
@@ -14020,21 +14027,24 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
 
    Cost. If the problem has no force F, the first seven routes (VM_ROUTE_TRIG to VM_ROUTE_ORDER5) are averaged solutions
    in closed form: they need one or two evaluations of sa and ca and the integrals of the laws of mass and stiffness,
-   for every t and every tolerance. The last three routes integrate from 0 to t within the tolerance. Each of these
-   three integrates twice, the second time with a stricter tolerance, and the difference of the two results gives the
+   for every t and every tolerance. The last three routes integrate from 0 to t within the tolerance. Each of them makes
+   pairs of runs until the error is within the tolerance. The second run of a pair is more accurate (rk45 and rk87 then
+   use a stricter tolerance, collocation more points for each step), and the difference of the two results gives the
    error. With a force F the averaged equations of the first three routes are integrated numerically, too, and the
    routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of the seven averaged solutions whose estimated error is within the tolerance.
-   If there is no such solution, or if there is a force F, it integrates numerically: by collocation
-   (oscillators/collocation.h) if amplitude and phase describe the motion, otherwise by rk87.
+   Choice. vm_osc_within takes the first of the seven averaged solutions whose estimated error is within the tolerance;
+   for the orders 2 to 5 the estimated error is multiplied by 1.5 before this comparison. If there is no such solution,
+   or if there is a force F, it integrates numerically: by collocation (oscillators/collocation.h) if amplitude and
+   phase describe the motion, otherwise by rk87.
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
      - fast changes of mass and stiffness between 0 and t. The integration along the laws looks for such changes on each
        panel, a short interval of time, and in tables between the points (for users' functions see vm_law_user). A fast
        change makes the estimate large, so that vm_osc_within integrates numerically. If the law is a user's function,
-       no step of this integration is longer than the shortest panel, so that no step skips the change.
+       no step of this integration is longer than half the shortest panel or |t|/4096, whichever is longer. If its field
+       change_time is set, no step is longer than twice this time.
    What the estimate covers where averaged equations with a force F are integrated:
      - the error of this integration, and the error of cos and cn in place of ca;
      - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and the terms of the
@@ -14206,7 +14216,8 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 /* -- The cheapest route -- */
 
 /* Writes the motion at t by the first of the routes VM_ROUTE_TRIG to VM_ROUTE_ORDER5 whose estimated error is within
-   the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
+   the tolerance; the estimates of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 are multiplied by `reserve` before. If there is no
+   such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_real reserve = VM_C(1.5); /* a factor on the estimate: in one of 400 cases the true error is larger than
@@ -14246,9 +14257,10 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. The function takes the cheapest route
-   whose estimated error is within the tolerance; motion->route is this route. The error is the larger of |error of x|/A
-   and |error of v|/vmax (see vm_osc_motion). To keep the error of x below d metres, set the tolerance to d/A. A
-   tolerance of 0 means 1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
+   whose estimated error is within the tolerance; for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, 1.5 times the estimated error
+   must be within it. motion->route is the route that was taken. The error is the larger of |error of x|/A and |error of
+   v|/vmax (see vm_osc_motion). To keep the error of x below d metres, set the tolerance to d/A. A tolerance of 0 means
+   1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);
@@ -14323,9 +14335,9 @@ VM_API int vm_osc_within(const vm_osc_problem *problem, vm_real t, vm_real toler
    Method: an angle theta replaces the time. With x = A cos(theta) the velocity is v = -A sin(theta) sqrt(g), and dt =
    dtheta/sqrt(g). Here g is the mean of F/x as a function of x^2, between the present x^2 and A^2. Gauss' rule
    integrates 1/sqrt(g) over theta, and converges fast because g is smooth and positive. An orbit is the motion at one
-   amplitude. The phase of the orbit is 2 pi t/period, and is 0 where x is largest. The action j of the orbit is the
-   integral of v dx over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see
-   oscillators/odd_motion.h.
+   amplitude. The phase of the orbit is 2 pi t/period. It is 0 at the turning point with the larger |x|; of the two
+   turning points of an orbit around x = 0, it is the one with x > 0. The action j of the orbit is the integral of v dx
+   over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -14536,7 +14548,6 @@ VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
     f.sign = rest < 0 ? -1 : 1;
     f.phi = vmi_smaller(VM_FABS(rest), orbit->span);
     f.side = 1;
-    if (orbit->place == VMI_ORBIT_LEFT) f.side = -1;
     if (orbit->place == VMI_ORBIT_AROUND_0 && turns != 2 * VM_FLOOR(turns / 2)) f.side = -1;
     return f;
 }
@@ -15589,8 +15600,10 @@ VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
     return force;
 }
 
-/* Duffing's force k1 x + k3 x^3. k1 (N/m) and k3 (N/m^3) may have either sign, but at least one of them must be
-   positive. Otherwise there are no vibrations, and all functions refuse the force with VM_NO_LAW. */
+/* Duffing's force k1 x + k3 x^3. k1 (N/m) and k3 (N/m^3) may have either sign. If neither of them is positive, there
+   are no vibrations. Then, except for a body at rest at x = 0, vm_odd_period and vm_odd_action return NaN;
+   vm_odd_exact_from and the routes VM_ODD_MEAN and VM_ODD_ORDER2 return VM_NO_LAW; and vm_odd_within integrates the
+   motion by rk87. */
 VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vmi_duffing_elastic(k1, k3);
@@ -15622,7 +15635,7 @@ VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
 
 /* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
    For a motion in one of two wells it is the time of one vibration in this well. The period is infinite on the
-   separatrix, and between two wells also where (c3/c1) x0^2 is below VM_MIN/eps. The relative error is at most 8 eps
+   separatrix, and for c1 < 0 < c3 also where |c3/c1| x0^2 is below 2 VM_MIN/eps. The relative error is at most 8 eps
    where the two terms of c1 + c3 x0^2, and those of c1 + c3 x0^2/2, do not cancel. Returns NaN if the motion goes to
    infinity, if the body stays at rest (at x0 = 0 or x0^2 = -c1/c3), and if an argument is infinite or NaN. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
@@ -15650,9 +15663,9 @@ VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 /* Writes position and velocity at time t of a motion that comes from next to x = 0 along the separatrix. Near x = 0 the
    motion is linear: the sum of a part that grows as exp(lambda |t|) and a part that falls as exp(-lambda |t|). The
    growing part has the value a at t = 0. It is the beginning of A/cosh(lambda |t| - late) with late = ln(2 A/a). Let w
-   be v0/lambda, with the sign of t. Next to x = 0 the growing part is a = (x0 + w)/2 and the falling part is (x0 -
-   w)/2. On the separatrix x0 may be large. There w = c x0 with c = sqrt(1 - x0^2/A^2), the falling part is 0, and a = 2
-   x0/(1 + c). The formulas a = 2 (x0 + w)/(1 + c)^2 and (c x0 - w)/2 hold in both cases. */
+   be v0/lambda for t > 0 and -v0/lambda for t < 0. Next to x = 0 the growing part is a = (x0 + w)/2 and the falling
+   part is (x0 - w)/2. On the separatrix x0 may be large. There w = c x0 with c = sqrt(1 - x0^2/A^2), the falling part
+   is 0, and a = 2 x0/(1 + c). The formulas a = 2 (x0 + w)/(1 + c)^2 and (c x0 - w)/2 hold in both cases. */
 VM_API void vmi_duffing_from_saddle(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     const vm_real A = VM_SQRT(-2 * c1 / c3), lambda = VM_SQRT(-c1), side = VM_COPYSIGN((vm_real)1, t);
@@ -15965,8 +15978,8 @@ typedef struct VM_TAG(vmi_odd_slow) {
 
 /* Computes the fields of *slow at t. `length`, in seconds, is needed for the derivatives of laws that are functions of
    the user (see vmi_law_scaled_derivatives); in this time the phase grows by about 16. All rates are computed in a unit
-   of about length/16. Where a derivative of a law jumps at t, side = 1 means the derivative after t, and side = -1 the
-   derivative before t. */
+   of about length/16, but of at most 1 s. Where a derivative of a law jumps at t, side = 1 means the derivative after
+   t, and side = -1 the derivative before t. */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };
@@ -17069,9 +17082,10 @@ typedef struct VM_TAG(vmi_linear_mass) {
 } vmi_linear_mass;
 
 /* Writes to *linear the mass that a law describes between 0 and t, if this mass is linear in time. Some closed forms
-   hold only for a linear mass. Returns VM_NO_LAW where the mass is neither linear in time nor constant;
-   vmi_law_exponential_form tells this. Returns VM_BAD_MASS where the mass is not positive at 0 or at t, VM_BAD_ARGUMENT
-   where no constructor made the law, and VM_NOT_FINITE for a number that is infinite or NaN. */
+   hold only for a linear mass. Returns VM_NO_LAW unless vmi_law_exponential_form finds base = rate; so it refuses every
+   table and every quadratic law, even if the mass is in fact linear. Returns VM_BAD_MASS where the mass is not positive
+   at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a number that is infinite or
+   NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -17215,10 +17229,11 @@ VM_API int vmi_vdp_check(const vm_vdp *v)
 }
 
 /* Prepares a Van der Pol oscillator: checks the fields alpha, k, feed, c, reactive and method, and writes the mean
-   values a1, a2, a3 (411)-(413). The functions below need this call; the mass may be set and changed later. The mean
-   values are within 20 eps of the true values. Returns VM_BAD_ARGUMENT for a null pointer or an unknown method,
-   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness,
-   VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves *v as it was. */
+   values a1, a2, a3 (411)-(413). vm_vdp_amplitude, vm_vdp_limit_cycle and vm_vdp_averaged_rhs need this call; the other
+   functions do not. The mass may be set and changed later. The mean values are within 20 eps of the true values.
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error
+   leaves *v as it was. */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     int status;
@@ -17322,9 +17337,9 @@ VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *m
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    The array y = (x, x') is in m and m/s; `vdp` points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where
-   no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
-   positive, VM_BAD_STIFFNESS for a stiffness that is not positive, and VM_DOMAIN for alpha < 0 and for t outside a
-   table. These statuses stop the integration. */
+   no constructor made the mass, VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked), VM_BAD_MASS
+   for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, and VM_DOMAIN for alpha < 0
+   and for t outside a table. These statuses stop the integration. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -17765,8 +17780,8 @@ typedef struct VM_TAG(vm_vdp_plan) {
     vmi_vdp_ripple ripple; /* constants and polynomials of the law of order three */
     int start_status;      /* VM_OK if `start` is set; else the status that says why the mean motion cannot be started
                               forward in time, VM_NO_LAW for a body at rest */
-    vmi_vdp_mean start;    /* the start of the mean motion forward in time; without such a start only the field psi is
-                              set, to the phase at t = 0 */
+    vmi_vdp_mean start;    /* the start of the mean motion forward in time; if start_status is not VM_OK, only its field
+                              psi may be used, the phase at t = 0, and not even this for a body at rest */
 } vm_vdp_plan;
 
 /* The force -c x^2 x', N, of the Van der Pol oscillator; ctx points to c. */
@@ -18598,6 +18613,8 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, or a user's function that
        fails,
+     VM_NO_LAW, for the first three routes, where the elastic force is so weak that the rate of the phase underflows,
+       for example for alpha = 5 and x = 1e-200 m,
      VM_NOT_INTEGRATED, for all routes but VM_ROUTE_RK87, where amplitude and phase do not describe the motion,
      VM_NOT_INTEGRATED, for the first three routes, where two points of a table, or t = 0 and a point of a table, are
        closer than a quarter of a vibration, if these points lie between 0 and t,
@@ -18621,8 +18638,9 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion by the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 whose estimated error
-   is within the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
+/* Writes the motion by the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 for which 1.5 times
+   the estimated error is within the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves
+   *motion untouched. */
 VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_real reserve = VM_C(1.5); /* a factor on the estimate, the same as in vmi_osc_averaged_within */
@@ -18640,10 +18658,10 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan. t is in seconds, of either sign. The
-   function takes the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 whose estimated error is
-   within the tolerance. If there is no such route, it integrates numerically; motion->route is the route that it took.
-   The error is the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion); a tolerance of 0 means 1e-6
-   (float 1e-3). Returns the statuses of vm_vdp_plan_by_route. */
+   function takes the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 for which 1.5 times the
+   estimated error is within the tolerance. If there is no such route, it integrates numerically; motion->route is the
+   route that it took. The error is the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion); a tolerance
+   of 0 means 1e-6 (float 1e-3). Returns the statuses of vm_vdp_plan_by_route. */
 VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_vdp_check_call(p, t, &tolerance, motion);
@@ -18703,12 +18721,12 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
 /* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon is feed/(m W), where m
    is the mass, and W the rate of the Ateb phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A
    (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1.
-   The errors of both results are O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and
-   a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor
-   made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
-   VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for a table whose times do not rise
-   or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there is no limit cycle, that is
-   where feed and c do not have the same sign. An error leaves *cycle untouched. */
+   The errors of both results are O(epsilon^4). Mass and stiffness are those at t = 0. The fields method and reactive
+   must be valid, but the result does not depend on them, nor on a1 to a3. Returns VM_BAD_ARGUMENT for null pointers, an
+   unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS
+   for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for
+   a table whose times do not rise or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there
+   is no limit cycle, that is where feed and c do not have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;
@@ -18870,8 +18888,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
 
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
    y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and for
-   a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is
-   not positive; VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
+   a rotor without mass or stiffness; VM_NOT_FINITE where t, the mass or its rate is infinite or NaN (other numbers are
+   not checked); VM_BAD_MASS for a mass that is not positive; VM_DOMAIN for t outside a table of the mass. These
+   statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -19029,8 +19048,9 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force. They are useful only where
    the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
    the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
-   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
-   where K_e(0) is not positive; VM_DOMAIN for t outside a table of the mass. */
+   VM_NOT_FINITE where t, the mass, its rate or K_e(0) is infinite or NaN (other numbers are not checked); VM_BAD_MASS
+   for a mass that is not positive; VM_BAD_STIFFNESS where K_e(0) is not positive; VM_DOMAIN for t outside a table of
+   the mass. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -19042,7 +19062,8 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
    psi2 of the two whirls separately, (474)-(477). Because both whirls have the same frequency, such separate averages
    are right only if the force turns with z. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho)
    - K_e(0) or m'), up to times of the order of the inverse of this perturbation. State and statuses are those of
-   vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
+   vm_jeffcott_exact_rhs; VM_BAD_ARGUMENT also means that the field `nodes` is negative. Each call evaluates the forces
+   at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -19080,10 +19101,10 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 }
 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
-   K_e(A). Forward whirl, for sense >= 0, has W > 0. Backward whirl, for sense < 0, has W < 0. A >= 0 is
-   in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
-   stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A < 0, for mass <= 0, and for numbers
-   that are infinite or NaN. */
+   K_e(A). If K_e(A) > 0, forward whirl (sense >= 0) has W > 0, and backward whirl (sense < 0) has W < 0. If K_e(A) < 0,
+   both W have the sign of g. A >= 0 is in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine
+   epsilon), apart from the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A
+   < 0, for mass <= 0, where g^2 + m K_e(A) is negative, and for numbers that are infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -19148,10 +19169,10 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    error of A causes an error of the phase psi that grows with time. For loads that turn with z, that is loads at a
    fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads the error of psi
    is of order 1. If F_e is linear and the loads do not turn with z, the disc does not stay on a circle, and the
-   equations are not valid. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
-   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if
-   g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes`
-   phases. */
+   equations are not valid. Returns VM_BAD_ARGUMENT for null pointers, for a rotor without mass or stiffness, and for a
+   negative field `nodes`; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not
+   positive; VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call
+   evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -19289,7 +19310,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
 typedef struct VM_TAG(vm_jeffcott_whirl) {
     vm_real radius;    /* A, m */
     vm_real angle;     /* psi, rad; it counts all turns */
-    vm_real frequency; /* W = psi', rad/s; negative for backward whirl */
+    vm_real frequency; /* W = psi', rad/s; if K_e > 0, it is negative for backward whirl */
     vm_complex z, v;   /* position A e^(i psi) and velocity i W z of the disc's centre, m and m/s */
 } vm_jeffcott_whirl;
 
@@ -19495,8 +19516,9 @@ VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int se
    whirl P and a backward whirl N, which do not disturb each other: z = P + N, z' = i (W1 P + W2 N) with the frequencies
    W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each of the two whirls is computed by vm_jeffcott_whirl_at, with the
    gyroscopic constant g and any share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates
-   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_NO_LAW also means that the shaft is not
-   linear. */
+   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_NO_LAW also means that the slope dK_e/drho at
+   the deflection |z| of the start is not 0. Only this slope is tested: if the shaft is not linear but has the slope 0
+   there, for example K_e = k + c rho^2 at z = 0, the result is wrong. */
 VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
 {
     vm_real mass0 = 0, mass = 0, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
@@ -19579,9 +19601,9 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
 
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
    The array y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or
-   where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table.
-   These statuses stop the integration. */
+   where no constructor made the mass, VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked),
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t
+   outside a table. These statuses stop the integration. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -19663,7 +19685,8 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
 }
 
 /* Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y'). This is the inverse of
-   vm_pair_to_averaged, and returns the same statuses. y and modes may be the same array. */
+   vm_pair_to_averaged, and returns the same statuses; it also returns VM_DOMAIN for A < 0. y and modes may be the same
+   array. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -19718,8 +19741,9 @@ VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi
 /* Motion of two bodies at time t, in closed form for a mass m that is linear in time: (528), (529) with p0 = y(0) -
    x(0). The array y0 = (x, y, x', y') is the motion at t = 0. The relative error of the motion is of the order of m'/(m
    Om) up to the time m/m', where Om is the rate of the Ateb phase of y - x. Returns the statuses of
-   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
-   vm_pair_averaged_rhs instead). y and y0 may be the same array. */
+   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW unless the mass is a vm_law_linear, a vm_law_power with the
+   exponent 1, or a vm_law_exponential with the rate 0 (integrate vm_pair_averaged_rhs instead). y and y0 may be the
+   same array. */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;
@@ -19844,9 +19868,10 @@ VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses 
 /* Equations of motion of two bodies with different masses and several connections, for rk45 or rk87.
    The array y contains the positions (m) and velocities (m/s) of the bodies, (x, y, x', y'). pair points to a
    vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for a negative number of connections, and for a mass law
-   that no constructor made; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not
-   positive; VM_BAD_STIFFNESS for a stiffness that is not positive; VM_DOMAIN for an exponent < 0 and for t outside a
-   table. If the function `force` returns a number other than 0, returns this number. These statuses stop the run. */
+   that no constructor made; VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked); VM_BAD_MASS for
+   a mass that is not positive; VM_BAD_STIFFNESS for a stiffness that is not positive; VM_DOMAIN for an exponent < 0 and
+   for t outside a table. If the function `force` returns a number other than 0, returns this number. These statuses
+   stop the run. */
 VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -20077,8 +20102,8 @@ VM_API void vmi_forced_fourier(vm_forced *f)
 /* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. Call it before all other
    functions for this oscillator. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made;
    VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is
-   not positive; VM_DOMAIN for alpha < 0 or a frequency that is not positive; VM_OK otherwise. An error leaves f as it
-   was. */
+   not positive; VM_DOMAIN for alpha < 0, a frequency that is not positive, or a law that has no value at t = 0; VM_OK
+   otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -20119,8 +20144,9 @@ VM_API void vmi_forced_motion(const vm_forced *f, const vmi_forced_parameters *n
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
    to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE
-   for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive;
-   VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
+   for t or a field that is infinite or NaN (y is not checked); VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a
+   stiffness that is not positive; VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These
+   statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -20442,7 +20468,7 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
    at most two vibrations to curve, the lower frequency first. The two vibrations lie on both sides of the backbone, the
    curve nu = w(A) with the natural frequency w. Returns how many there are, 0 where the force is too small for the
    amplitude A, or a negative status. The negative statuses are those of vm_forced_rhs; VM_DOMAIN also means that A is
-   not positive. Results that overflow are NaN. */
+   not positive. Results that overflow are infinite or NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;
@@ -20549,7 +20575,7 @@ VM_API int vm_forced_passage(const vm_forced *f, vm_real t, vm_real amplitude, v
        S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)).
    The sums are over the odd j for which n = j P/Q is a whole number. G_j is Om1^2 c_j/2, where Om1 is the field of
    vm_forced and c_j the Fourier coefficient of cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 these
-   terms are below 1e-7 of the first term. Tests: tests/test_periodic.c. */
+   terms are below 5e-7 of the first term. Tests: tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
 
@@ -20881,7 +20907,8 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
 
 /* Steady vibration of the phase delta under a periodic force: a point of the resonance curve. Each phase delta, rad,
    belongs to at most one amplitude and one frequency nu of the force, so that values of delta from -pi to pi give the
-   whole curve. The field nu of *steady is this frequency; the frequency in the fields of the oscillator is not used.
+   whole curve. The field delta of *steady is the given delta, even if it is not between -pi and pi. The field nu of
+   *steady is the frequency of the force; the frequency in the fields of the oscillator is not used.
    All other parameters are those at time t. Returns the statuses of vm_periodic_rhs. In addition it returns
    VM_NOT_FINITE where delta is not finite, and VM_DOMAIN in two cases: where no steady vibration has this phase, and
    where q = 0 in the averaged equations. q is 0 if there is neither damping nor a slow change; then the phase does not
@@ -21064,7 +21091,7 @@ VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
 
 /* Equations of motion of two weakly coupled oscillators, for rk45 or rk87. y = (x_0, x_1, x_0', x_1') is in m and m/s;
    pair points to a prepared vm_grounded_pair. The statuses are those of vm_grounded_pair_init at the time t, and
-   VM_DOMAIN for t outside a table; they stop the run. */
+   VM_DOMAIN for t outside a table; they stop the run. y is not checked. */
 VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -21990,8 +22017,9 @@ enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /*
 /* Solves Euler's equations I omega' = torque - omega x I omega for omega', where I is the inertia of the body. omega
    and omega' (`rates`) are in body axes, torque in inertial axes. The matrix of these linear equations is
    b->invertible. For a rod it includes a dummy moment about the axis of the rod (vmi_invertible_inertia), so that the
-   equations can be solved. The spin of a rod about its own axis stays constant, since no load turns the rod about this
-   axis. */
+   equations can be solved. The spin of a rod about its own axis stays constant if no effect exerts a torque about this
+   axis. Such a torque (of vm_effect_rotational_damper or vm_effect_custom) acts on the dummy moment, so that the change
+   of the spin has no physical meaning. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -22019,8 +22047,8 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
 }
 
 /* Returns the inertia with a dummy moment (an arbitrary number > 0) about each principal axis without moment of
-   inertia, so that the matrix can be inverted. No torque acts about such an axis, so that the dummy moment has no
-   effect on the motion. */
+   inertia, so that the matrix can be inverted. If no torque acts about such an axis, the dummy moment has no effect on
+   the motion. */
 VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
 {
     const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
@@ -22056,8 +22084,10 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod; its spin
-   about its own axis then stays constant. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
+/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod; its spin about
+   its own axis then stays constant. (Only vm_effect_rotational_damper and vm_effect_custom can exert a torque about
+   this axis; a rod has no inertia about it, and the spin that they cause has no physical meaning.) vm_scene_start
+   returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);
@@ -22366,8 +22396,8 @@ VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real re
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
 /* The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y). It points to the origin of the plane. r
-   is in m, the stiffness k in N/m^alpha, and the force is NaN for alpha < 0. The components are written to *fx and *fy;
-   if one of these pointers is NULL, nothing is written. */
+   is in m and the stiffness k in N/m^alpha. If alpha < 0, the force is 0 at r = 0 and NaN everywhere else. The
+   components are written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
@@ -23013,11 +23043,11 @@ VM_API int vmi_check_mass_of_time(const vm_scene *s, const vm_effect *e)
 }
 
 /* A mass that follows a vm_law, with its reactive force. The mass is the value of *law at the time t of the scene; the
-   mass that the constructor of the body received has no effect. The velocity of the mass that joins or leaves is u +
-   (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body if
-   reactive is 0. *law is not copied and must stay at its place in memory. vm_scene_start returns VM_BAD_ARGUMENT if
-   law is NULL or no constructor made *law. A run ends with VM_BAD_MASS if the mass is not positive, and with the
-   status of vm_law_at if this function fails. */
+   mass that the constructor of the body received is not used, but it must be positive. The velocity of the mass that
+   joins or leaves is u + (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and
+   relative to the body if reactive is 0. *law is not copied and must stay at its place in memory. vm_scene_start
+   returns VM_BAD_ARGUMENT if law is NULL or no constructor made *law. A run ends with VM_BAD_MASS if the mass is not
+   positive, and with the status of vm_law_at if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);
@@ -23199,9 +23229,9 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
    mass, force, moment and torque of the stream are all listed, and if the stream has no store. A stream may have a
    store on the line through the point of the stream and the mass centre; for example, the tank and the nozzle of a
    rocket lie on the rocket's axis. If no other stream of the body has a store, vm_flow_rhs gives the same motion.
-   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or stream->motion is unknown, VM_STORED_STREAM if the store
-   does not lie on the line through the point of the stream and the mass centre, and VM_DOES_NOT_GROW if the body is
-   not a growing body. */
+   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or stream->motion is unknown, VM_BAD_INERTIA if a moment of
+   a gyration is negative, VM_STORED_STREAM if the store does not lie on the line through the point of the stream and
+   the mass centre, and VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
@@ -23527,21 +23557,21 @@ VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
 }
 
 /* A rigid link of a given length, or a cord, which can only pull. The link keeps the mass centre of `body`, which is a
-   point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The
-   other mass centre is that of the body `other`, which must not be on an axle; the argument `point` is then NULL. If
-   other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. If
+   point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
+   mass centre is that of the body `other`, which must not be on an axle; `point_or_NULL` is then NULL. If other is
+   VM_GROUND, the function `point_or_NULL` gives the motion of the moving point, which may lie above the plane. If
    `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t) with the time t; rate > 0 is in
-   1/s. A cord that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes
-   the equations of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m
-   at 6 m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of
-   motion that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body
-   has a second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link
-   connects a body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place or cannot move
-   along the link. */
-VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
+   1/s. A cord that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the
+   equations of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6
+   m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of motion
+   that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body has a
+   second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link connects a
+   body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place, or cannot move along the
+   link. */
+VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point_or_NULL, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
-    vm_effect e = vmi_effect_between(body, 0, other, 0, point || other >= 0 ? vmi_apply_link : NULL);
+    vm_effect e = vmi_effect_between(body, 0, other, 0, point_or_NULL || other >= 0 ? vmi_apply_link : NULL);
     e.p[VMI_LINK_LENGTH] = length;
     e.p[VMI_LINK_RATE] = rate;
     e.variant = cord != 0;
@@ -23550,7 +23580,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
     e.order = VMI_ORDER_LINK;
     e.check = vmi_link_check;
     e.check_in_scene = vmi_link_check_ends;
-    e.point = point;
+    e.point = point_or_NULL;
     e.ctx = ctx;
     return e;
 }
@@ -23842,8 +23872,8 @@ VM_API int vmi_scene_check_parameters(const vm_scene_body *b, const vm_effect *e
     int k;
     for (k = 0; k < VM_LENGTH(e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
-    if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs >= VMI_NEEDS_GROWING_BODY && !b->grows) return VM_DOES_NOT_GROW;
+    if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->check) return (e->check)(e);
     return VM_OK;
 }
@@ -24007,7 +24037,10 @@ VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
 }
 
 /* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material at the
-   point. For a growing body, the velocity v in the state is that of the material at the present mass centre. */
+   point, except for a growing body of which a stream has a store. For a growing body the velocity v in the state is
+   momentum/mass. If no stream has a store, v is the velocity of the material at the present mass centre. If a stream
+   has one, v differs from this velocity by M' (at - store)/M (the field `slip` of vmi_stream_seen), which this function
+   leaves out. */
 VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real *state, vmi_body_point *p)
 {
     const vm_real *rates = state + b->positions;
@@ -24136,7 +24169,10 @@ VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
 /* The position and velocity of a point of a body in the state y, in inertial axes. `at` is a vector in body axes. It
    leads to the point from the place that the mass centre has in the body at the start; on an axle it leads from the
    origin. The scene must have been started. *r is in m and *v in m/s; both are NaN if no body has this index, if scene
-   or y is NULL, or if the scene was not started. If r or v is NULL, nothing is written. */
+   or y is NULL, or if the scene was not started. If r or v is NULL, nothing is written. *v is the velocity of the
+   material at the point, except for a growing body of which a stream has a store. Inside such a body mass flows from
+   the store to the point `at` of the stream; *v then lacks the velocity M' (at - store)/M, where M is the mass of the
+   body and M' the rate of the stream. */
 VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
 {
     vmi_body_point p;
@@ -24339,7 +24375,8 @@ typedef struct VM_TAG(vm_joints) {
    Here a is the acceleration of the mass centre, alpha and omega are angular acceleration and angular velocity of the
    body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity
    with which the mass centre moves through the material of the body. drift is subtracted because a is the rate of the
-   velocity of the material at the mass centre, and at each instant there is other material at this place. */
+   velocity of the material at the mass centre, and at each instant there is other material at this place. For a growing
+   body of which a stream has a store this is not exact (see vmi_point_of_body). */
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;
@@ -24384,8 +24421,8 @@ VM_API int vmi_joint_is_in_space(const vm_scene *s, int body)
     return body >= 0 && (s->bodies[body].motion == VM_POINT || s->bodies[body].motion == VM_FREE);
 }
 
-/* Writes the equations of a pin, one for each direction in which one of its points can move. The deviation C is the
-   vector between the points. */
+/* Writes the equations of a pin: three, along x, y and z, if one of its bodies is a point or free in space; else two,
+   along x and y. The deviation C is the vector between the points. */
 VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
 {
     const int in_space = vmi_joint_is_in_space(s, joint->body) || vmi_joint_is_in_space(s, joint->other);
@@ -25402,7 +25439,9 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
    given in inertial axes. If `relative` is 1, it is given in the axes of the body: r leads from the mass centre of the
    body to the part, and q, v and omega are relative to the motion of the body at this point, just before the jump. In
    the plane and on an axle the new body has the angle of the body from which it separates, plus the angle that its
-   constructor received. The field `external` of the event is an impulse that acts from outside during the jump.
+   constructor received. The field `external` of the event is an impulse that acts from outside during the jump. On a
+   line only its component along x acts, on an axle only its moment about the z axis, and in the plane only what lies in
+   the plane; the guides of these bodies take up the rest.
 
    Two bodies can take part in the same jump if they have the same kind of motion. A body in the plane or a free body
    can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and in
@@ -25420,6 +25459,22 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
 #ifndef VARMASS_SCENES_JUMPS_H
 #define VARMASS_SCENES_JUMPS_H
 
+/* The part of the external impulse that acts on the body of a jump. The rest is taken up by what guides the body. */
+VM_API vm_impulse vmi_event_impulse(const vm_event *e)
+{
+    const int motion = e->scene->bodies[e->jump_body].motion;
+    const vm_vec3 zero = vmi_vec3(0, 0, 0);
+    const vm_impulse j = e->external;
+    vm_impulse acts = j;
+    if (motion == VM_POINT || motion == VM_FREE) return acts;
+    acts.linear.z = acts.at.z = acts.couple.x = acts.couple.y = 0;
+    if (motion == VM_PLANE) return acts;
+    acts.at = acts.linear = acts.couple = zero;
+    if (motion == VM_LINE) acts.linear.x = j.linear.x;
+    else acts.couple.z = vmi_impulse_moment(&j, zero).z;
+    return acts;
+}
+
 /* Computes the jump on a line and on an axle. Let `sign` be -1 for a part that separates and 1 for a body that is
    attached. The velocity of the body becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and its mass centre
    moves by the fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v are mass and
@@ -25427,6 +25482,7 @@ VM_API vm_event vm_then_all(vm_event event, vm_event *actions, int n)
    Line and axle use the same formulas, because the numbers that a line or an axle does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
+    const vm_impulse external = vmi_event_impulse(e);
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
     if (e->relative) {
         other->r.x += body->r.x;
@@ -25436,8 +25492,8 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     *b = *body;
     if (!(mass > 0)) return VM_BAD_MASS;
     b->mass = mass;
-    b->v.x = (body->mass * body->v.x + m * other->v.x + e->external.linear.x) / mass;
-    b->omega.z = (body->mass * body->omega.z + m * other->omega.z + e->external.couple.z) / mass;
+    b->v.x = (body->mass * body->v.x + m * other->v.x + external.linear.x) / mass;
+    b->omega.z = (body->mass * body->omega.z + m * other->omega.z + external.couple.z) / mass;
     b->r.x = body->r.x + m / mass * (other->r.x - body->r.x);
     return VM_OK;
 }
@@ -25573,14 +25629,16 @@ VM_API int vmi_scene_finish_jump(vm_event *e, vm_real t, vm_real *y)
     vm_scene *s = e->scene;
     vm_budget *budget = s->budget;
     vm_budget after;
+    vm_impulse external;
     int status = vmi_event_hold_masses(e, t, y);
     if (status) return status;
     status = vmi_scene_settle(s, y);
     if (!budget) return status;
     budget->totals(s, y, &after);
     budget->jump_energy += after.energy - e->energy;
-    budget->impulse = vm_add(budget->impulse, e->external.linear);
-    budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    external = vmi_event_impulse(e);
+    budget->impulse = vm_add(budget->impulse, external.linear);
+    budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&external, vmi_vec3(0, 0, 0)));
     return status;
 }
 
@@ -25891,8 +25949,6 @@ enum {
     VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short time between events, so that no event is missed */
 };
 
-VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
-
 /* Returns 1 if event i is due at the time t, else 0. An event at a set time is due if this time has come. Any other
    event is due if the integrator has counted new crossings; the number of new crossings is written to *times. At the
    beginning of a run, the crossings that vmi_scene_keep_crossings has kept count as new. */
@@ -25959,7 +26015,7 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
     if (pace->gap < resolved) pace->crowded++;
     else pace->crowded = 0;
     if (pace->crowded > VMI_SCENE_MOST_CROWDED && status == VM_OK) status = VM_TOO_MANY_EVENTS;
-    if (r->h > pace->gap / steps) r->h = vmi_scene_larger(pace->gap, resolved) / steps;
+    if (r->h > pace->gap / steps) r->h = vmi_larger(pace->gap, resolved) / steps;
     return status;
 }
 
@@ -26002,7 +26058,7 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
-    const vm_real size = vmi_scene_larger(VM_FABS(r->t), VM_FABS(t_end));
+    const vm_real size = vmi_larger(VM_FABS(r->t), VM_FABS(t_end));
     vm_real *z = vmi_part(r, VMI_Z), *rates = vmi_part(r, VMI_K), step;
     int i;
     for (step = 4 * VM_EPSILON * size + VM_MIN; step < farthest * size; step *= 4) { /* `size` may be subnormal */
@@ -26128,7 +26184,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     scene->status = VM_OK;
     status = vmi_scene_integrator(scene, &r, *t, y, work, options_or_NULL);
     if (status) return status;
-    span = vmi_scene_larger(VM_FABS(*t), VM_FABS(t_end));
+    span = vmi_larger(VM_FABS(*t), VM_FABS(t_end));
     while (scene->times && next < scene->n_times && scene->times[next] < *t) next++;
     for (;;) {
         status = vmi_scene_run_events(scene, &r, span, &pace);

@@ -108,7 +108,7 @@ static void one_after_another(void)
     static void (*const hand[])(void) = {hand_0, hand_1, hand_2, hand_3, hand_4, hand_5};
     static void (*const inlined[])(void) = {inline_0, inline_1, inline_2, inline_3, inline_4, inline_5};
     static const char *const jobs[] = {"no effect",          "1: spring",      "2: and damper",
-                                       "3: and Van der Pol", "4: and gravity", "5: and drive"};
+                                       "3: and Van der Pol", "4: and gravity", "5: and motor"};
     int n;
     effect[0] = vm_effect_spring(0, 0, VM_GROUND, 0, parameter[0], 3, 0);
     effect[1] = vm_effect_damper(0, 0, VM_GROUND, 0, parameter[1]);
@@ -160,7 +160,7 @@ static void each_alone(void)
     adds("second damper", hand_second, inline_second, vm_effect_damper(0, 0, GROUND, c));
     adds("Van der Pol", hand_van_der_pol, inline_van_der_pol, vm_effect_van_der_pol(0, 0, b, c));
     adds("gravity", hand_gravity, inline_gravity, vm_effect_gravity(0, 0, g));
-    adds("drive", hand_drive, inline_drive, vm_effect_motor(0, 0, T, c));
+    adds("motor", hand_drive, inline_drive, vm_effect_motor(0, 0, T, c));
     adds("harmonic", hand_harmonic, inline_harmonic, vm_effect_harmonic(0, 0, T, c, b));
     adds("own force", hand_user, inline_user, vm_effect_force(0, 0, own_force, NULL));
     adds("mass of time", hand_mass, inline_mass, vm_effect_mass(0, VM_MASS_OF_T, c, 0, 1));

@@ -68,8 +68,8 @@ This page is written by `make campaigns` (bench/campaigns.sh).
 
 A campaign is a check that takes too long for `make test-all`. For each campaign, the table says what the campaign
 shows, with which version of the kit's headers it last ran, and what it printed at the end of this run. The column
-"headers" names these headers, each with its stamp. A stamp is a hash, a number that bench/stamp.sh computes from the
-code of a header and that changes if the code changes. If the stamps of a row are not those of today's headers, the
+"headers" names these headers, each with its hash. A hash is a number that bench/stamp.sh computes from the code of a
+header and that changes if the code changes. If the hashes of a row are not those of today's headers, the
 campaign last ran with earlier headers. In the row "coverage", the name of each header is followed by six numbers. Three
 numbers are about the lines of the header: how many there are, how many were not executed, and the share that was
 executed. The other three numbers are about the outcomes of its conditions (true or false): how many there are, how many
@@ -88,7 +88,7 @@ END
                 '{printf "| %s | `%s` | %s | %s | %s |\n", $1, $3, $5, stamp, result == "" ? "passed" : result}'
         else
             grep -s "^| $name | " $document ||
-                echo "$line" | awk -F'; ' '{printf "| %s | `%s` | %s | not run since stamps are recorded | - |\n", $1, $3, $5}'
+                echo "$line" | awk -F'; ' '{printf "| %s | `%s` | %s | not run since hashes are recorded | - |\n", $1, $3, $5}'
         fi
     done 3<$folder/parts
 } >$folder/document
@@ -99,7 +99,7 @@ while IFS= read -r line <&3; do
 done 3<$folder/parts
 {
     cat $folder/document
-    printf '\nThe results on this page were obtained with earlier headers, except for the rows whose stamps are those of the present headers.\n'
+    printf '\nThe results on this page were obtained with earlier headers, except for the rows whose hashes are those of the present headers.\n'
 } >$folder/new && mv $folder/new $document
 [ -z "$current" ] || sh bench/stamp.sh write campaigns
 sh bench/stamp.sh refresh

@@ -260,7 +260,7 @@ shift
 case $mode in
 table)
     printf '# Measured numbers\n\nThis page is written by `make numbers` (bench/numbers.sh).\n\n'
-    printf 'The table has the measured numbers that the README and the manuals show. There, a mark with the name of the number follows each\n'
+    printf 'The table has the measured numbers that the README, the manuals and some other documents show. There, a mark with the name of the number follows each\n'
     printf 'number. The column "from" says from which document a value was copied, and from which table, row and column. A name in quotation\n'
     printf "marks after the document is the heading of a section. A ratio is a time divided by the time of one call of the C library's\n"
     printf '`sin`, or by the time of another integrator, which is then named.\n\n'

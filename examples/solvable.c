@@ -40,13 +40,13 @@ int main(void)
     cart.v = v0;
     if (vm_osc_plan_init(&plan, &cart) != VM_OK) return 1;
     puts("Snow on a cart with a cubic spring: d/dt(m x') + k x^3 = 0, m = m0 (1 + a t)^(6/5)");
-    puts("     t, s      mass, kg   x by the formula, m   error of order five   error of rk87");
+    puts("     t, s      mass, kg   x by the formula, m   error of order five, m   error of rk87, m");
     for (t = 0; t <= 400; t += 50) {
         vm_osc_motion law, integrated;
         const double x = exact(t);
         if (vm_osc_plan_by_route(&plan, VM_ROUTE_ORDER5, t, 0, &law) != VM_OK) return 1;
         if (vm_osc_plan_by_route(&plan, VM_ROUTE_RK87, t, 1e-9, &integrated) < 0) return 1;
-        printf("%9.0f %12.4f %20.15f %18.1e %18.1e\n", t, m0 * pow(1 + a * t, 1.2), x, fabs(law.x - x),
+        printf("%9.0f %12.4f %20.15f %18.1e %21.1e\n", t, m0 * pow(1 + a * t, 1.2), x, fabs(law.x - x),
                fabs(integrated.x - x));
     }
     return 0;

@@ -47,9 +47,10 @@
 
    ERRORS
      alpha < 0, NaN and infinite arguments give NaN; so do probabilities outside [0, 1], parameters of beta functions
-     outside 1e-4 to 1e5 (but the parameters 0 and infinity give limits), and all arguments outside the domain that the
-     comment of a function gives. For a bad alpha ateb_plan_init returns -1 and leaves the plan as it was. Nothing else
-     can fail. The functions allocate no memory and keep no state; errno says nothing about their errors.
+     outside 1e-4 to 1e5 (for ateb_ln_beta outside 1e-30 to 1e30; but the parameters 0 and infinity give limits), and
+     all arguments outside the domain that the comment of a function gives. For a bad alpha ateb_plan_init returns -1
+     and leaves the plan as it was. Nothing else can fail. The functions allocate no memory and keep no state; errno
+     says nothing about their errors.
 
    METHOD
      First s is reduced to the first quarter of the period, which needs Pi_alpha. Pi_alpha comes from a table of
@@ -67,9 +68,10 @@
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
      VM_SQRT, VM_FABS, VM_FLOOR, VM_COPYSIGN
-                          the functions of the C library that are used; define all four or none.
-                          These functions are exact, so that results are the same on every machine, unless the compiler
-                          fuses products and sums.
+                          the functions of the C library that are used; define all four or none. Where the compiler says
+                          that fma is fast (FP_FAST_FMA, in float FP_FAST_FMAF), fma is used, too. All these functions
+                          round correctly, so that results are the same on every machine, unless the compiler fuses
+                          products and sums.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
                           are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
                           that tables take no RAM
@@ -97,9 +99,9 @@
                             and ca only rise or only fall, apart from errors of 2 ulp. sa^2 + |ca|^(alpha+1) is 1 to
                             within 1.5 eps (2 sa^2 + (alpha+1) |ca|^(alpha+1)).
      the zeros              of sa and ca have a relative error <= 2^-125 (float 2^-58); for alpha above 5e8 (float 2e4)
-                            and for plans in float, it is <= 2^-100 (float 2^-42). This error, times |s| and the slope of sa or
-                            ca, comes in addition to the errors above. It matters only where s is within an ulp of a
-                            zero.
+                            and for plans in float, it is <= 2^-100 (float 2^-42). This error, times |s| and the slope
+                            of sa or ca, comes in addition to the errors above. It matters only where s is within an
+                            ulp of a zero.
      Pi_alpha               <= 1 ulp
      sa, ca by a plan       <= 2 ulp for |s| <= 100 Pi_alpha and alpha up to 1e6, or the absolute error that the plan
                             was made for
@@ -113,10 +115,10 @@
      integrals              the integrals of sa^2 and |ca|^(alpha+1) add up to s within 3 eps (1 + |s|)
 
    COST
-     docs/cost.md has the time of each function, docs/counts.md the number of instructions of a call. An ateb_plan has
-     560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in brackets is that of the row of
-     docs/numbers.md with this number. In double ateb_plan_saca_array needs 3 kB of stack for a block of arguments; the
-     stack frame of any other function is below 2 kB.
+     docs/cost.md has the times of the functions that are used most, docs/counts.md the number of instructions of a call
+     of nearly all. An ateb_plan has 560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in
+     brackets is that of the row of docs/numbers.md with this number. In double ateb_plan_saca_array needs 3 kB of stack
+     for a block of arguments; the stack frame of any other function is below 2 kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]

@@ -26,10 +26,10 @@
             tolerance. A step takes six evaluations of f; the solution inside a step takes no further evaluation. Begin
             with this method. It is also the best one in float, for an f that is not smooth, for loose tolerances, for
             many events and for output at many times.
-     rk87   Verner's pair of orders 8 and 7 [4]. A step takes 13 evaluations of f, and seven more if the caller asks for
-            the solution inside the step. It is the fastest for a smooth f in double. Its rounding errors are larger
-            than those of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7), which is too coarse for most
-            uses in float.
+     rk87   Verner's pair of orders 8 and 7 [4]. A step takes 13 evaluations of f, and seven more if the run has events
+            or the caller asks for the solution inside the step. It is the fastest for a smooth f in double. Its
+            rounding errors are larger than those of rk45: rtol is at least 256 eps (eps is 2.2e-16, in float 1.2e-7),
+            which is too coarse for most uses in float.
      None of these methods is meant for stiff equations, in which stability and not accuracy limits the step size; these
      need an implicit method. rk45 and rk87 report an equation that looks stiff (ODE_STIFF). docs/cost.md has the time
      that each method needs for a given error.
@@ -39,7 +39,8 @@
      0, or any other number to stop the run. t may run backward. All times and steps have the unit of t.
      The caller owns the memory: work has RK4_WORK(n), RK45_WORK(n) or RK87_WORK(n) numbers and must live as long as the
      rk45 does. An rk45, its work and its events contain the whole state of a run. An rk87 is an rk45 that rk87_init
-     made; the functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made.
+     made. The functions of rk45 refuse it, and those of rk87 refuse an rk45 that rk45_init made. Only rk45_restart and
+     rk87_restart, which do the same, accept both.
 
    STEP SIZE CONTROL
      A step gives two results, one of each order of the pair. Their difference is the estimate of the error; the run
@@ -48,21 +49,21 @@
      from the errors of the last two steps. The step size stays the same after an error of 0.25 to 0.75 of the tolerance
      (rk87: 0.1 to 0.75).
      The tolerance is for each step; the error at the end of a run is larger, in proportion to the length of the run.
-     A zero in rk45_options means the default, and a negative tolerance counts as 0. rk45_defaults() fills in the
-     defaults.
-     No step is shorter than h_min, or than 2 eps |t|, the resolution of t. If even a step of this smallest size
-     misses the tolerance, the run assumes a jump of f: it accepts the step, counts it in s.missed, and goes on after
-     the jump. If another such step misses the tolerance before three steps have kept it, the run ends with
-     ODE_STEP_TOO_SMALL: f is then singular there, or too stiff for the resolution of t. If the two steps follow each
-     other directly, in one call of rk45_solve without events, both are dropped: s.t and s.y are then those before both
-     steps.
+     A zero in rk45_options means the default. A negative rtol or atol counts as 0; a negative number in atol_each is an
+     error. rk45_defaults() fills in the defaults.
+     No step is shorter than h_min, or than 2 eps |t|, the resolution of t, except a step that ends at t_end or at an
+     event. If even a step of this smallest size misses the tolerance, the run assumes a jump of f: it accepts the step,
+     counts it in s.missed, and goes on after the jump. If another such step misses the tolerance before three steps
+     have kept it, the run ends with ODE_STEP_TOO_SMALL: f is then singular there, or too stiff for the resolution of t.
+     If the two steps follow each other directly, in one call of rk45_solve without events, both are dropped: s.t and
+     s.y are then those before both steps.
 
    TIME
-     A step ends at a time that is a number of the type, and its length is exactly the difference of the times at its
-     two ends. So s.t does not drift away from the motion, however far from 0 the run began and however many steps it
-     takes. There are two exceptions: a step so short that rounding the time of its end would change its length by more
-     than 1/64, and a step that ends at an event. Then y belongs to a time between two numbers of the type, s.t is the
-     nearer of them, and the run stores the difference.
+     A step ends at a time that is a number of the type, and its length is the difference of the times at its two ends,
+     rounded to the type (exact for a step shorter than |t|/2). So s.t does not drift away from the motion, however far
+     from 0 the run began and however many steps it takes. There are two exceptions: a step so short that rounding the
+     time of its end would change its length by more than 1/64, and a step that ends at an event. Then y belongs to a
+     time between two numbers of the type, s.t is the nearer of them, and the run stores the difference.
 
    EVENTS
      An event happens when g(t, y) reaches zero or changes its sign. The run finds the time of the event on the
@@ -74,9 +75,9 @@
      already has its new sign. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g
      jumps, the event happens at the jump. After an event the sign of g is ignored as long as rounding errors alone
      could cause it. So one contact of a body that bounces off the ground is one event.
-     A run ends at each event whose action is ODE_STOP, or when an event has happened `stop_after` times. The t_end of
-     such a run may be infinite. Set h_max in this case if the solution is so smooth that the steps would grow without
-     end.
+     A run ends at each event with the action ODE_STOP. An event with stop_after > 0 is different: whatever its action
+     is, it ends the run only when it has happened stop_after times, twice as many times, and so on. The t_end of such a
+     run may be infinite. Set h_max in this case if the solution is so smooth that the steps would grow without end.
      Two zeros, or any even number of them, between two evaluations of g are not found. A larger `checks` or a smaller
      h_max makes evaluations more frequent.
 
@@ -112,8 +113,8 @@
      VM_API               linkage of the functions; the default is static inline
      VM_INLINE            linkage of the functions that are fast only if they are inlined. If it is defined as VM_API,
                           the code is smaller and the results are the same.
-     VM_SQRT, VM_FABS     the functions of the C library that are used; define either all of VM_SQRT, VM_FABS, VM_FLOOR
-                          and VM_COPYSIGN, or none of them
+     VM_FABS, VM_COPYSIGN the functions of the C library that are used; vm_self_check() also uses VM_SQRT and VM_FLOOR.
+                          Define all four or none.
      VM_TABLE, VM_READ    storage of the tables, and how an element of one is read; define both or none. The defaults
                           are static const and (x); on AVR they are static const PROGMEM and pgm_read_float(&(x)), so
                           that tables take no RAM

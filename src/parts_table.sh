@@ -44,7 +44,8 @@ the name of the first chapter. For example, \`make part PARTS="mechanics/jumps o
 both chapters and what they need; the name of this header is again \`build/parts/jumps.h\`, because \`mechanics/jumps\` comes
 first.
 
-Each row of the table is for one chapter, and for the header that \`make part\` writes if you name only this chapter. The column
+Each row of the table is for one chapter that has public functions, and for the header that \`make part\` writes if you name only
+this chapter. (A chapter that has only internal functions has no row.) The column
 "lines" has the number of lines of this header, with its comments. The column "flash" has the size in bytes of all public
 functions of the chapter, with all code and tables of constants that these functions use, in this chapter or in other chapters.
 What these functions do not use is not counted; therefore the number of a chapter can be smaller than that of a chapter that it

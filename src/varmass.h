@@ -58,7 +58,8 @@
      Functions that can fail return a status: 0 (VM_OK), a positive number (the work is done, but there is a remark) or
      a negative one (an error; the outputs are unchanged). vm_strerror() explains a status. The same mistake has the
      same status in every function; base/status lists all statuses. Functions that return a number return NaN outside
-     their domain and for infinite arguments. An output may be the same variable as an input.
+     their domain and, unless their comment says otherwise, for infinite arguments. An output may be the same variable
+     as an input.
 
    MACROS, to be defined before the include
      VM_USE_FLOAT         all numbers are float instead of double (tests run both)
@@ -101,9 +102,10 @@
      docs/cost.md has the times of oscillators, free rotation, streams and scenes, docs/counts.md the number of
      instructions of a call. docs/firmware.md has the flash memory, the stack and the number of instructions of a call
      on microcontrollers, docs/parts.md the flash memory that a chapter takes.
-     The time of a call is bounded, with two exceptions. A function that takes n objects or a list needs a time in
-     proportion to their number. A function that integrates (routes of oscillators, scenes) needs a time in proportion
-     to the length of the run; its comment says so.
+     The time of a call is bounded, with three exceptions. A function that takes n objects or a list needs a time in
+     proportion to their number. Lagrange's equations with n coordinates, and joints with n equations, need a time that
+     grows like n^3. A function that integrates (routes of oscillators, scenes) needs a time in proportion to the length
+     of the run; its comment says so.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation.

@@ -22,6 +22,7 @@ import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
 
+sys.dont_write_bytecode = True  # no folder beside the sources
 from rooms import HEADERS, code_of, files_of, owners
 
 LEAST = 98.0

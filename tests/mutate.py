@@ -33,6 +33,7 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from queue import Queue
 
+sys.dont_write_bytecode = True  # no folder beside the sources
 from rooms import HEADERS, code_of, owners
 
 MANY = 10

@@ -406,6 +406,8 @@ static void test_limits(void)
     CHECK(jacobi_RC(1, 0) == inf && jacobi_RC(1, inf) == 0 && jacobi_RC(inf, -1) == 0);
     CHECK(jacobi_RD(0, 0, 1) == inf && jacobi_RD(1, 2, 0) == inf && jacobi_RD(1, 2, inf) == 0);
     CHECK(jacobi_RJ(1, 2, 3, 0) == inf && jacobi_RJ(1, 2, 3, -inf) == 0 && jacobi_RG(inf, 0, 0) == inf);
+    CHECK(jacobi_RJ(0, 0, 1, -1) == -inf && jacobi_RJ(0, 3, 0, -2) == -inf && jacobi_RJ(0, 0, 0, -1) == -inf);
+    CHECK(jacobi_RJ(VM_MIN, VM_MIN, 1, -1) < -50 && is_nan(jacobi_RJ(0, 0, 1, -inf)));
     CHECK(jacobi_RG(0, 0, 4) == 1 && jacobi_RG(0, 0, 0) == 0);
 }
 

@@ -61,8 +61,8 @@ from tests/data/errata.txt.
   The truth is, for example, an exact solution, or a motion that was integrated numerically from the right equations. In this
   column "ODE" means the result of direct numerical integration of the equation of motion. A residual is the difference of the two
   sides of a balance, such as the balance of momentum. "The sample" is the set of numbers with which the test computes the item.
-  "Reading" means that the text was only read, and that nothing was computed. If the column "how it was checked" is empty, the
-  column "what is true" has the numbers, if there are any.
+  "Reading" means that the item was found by reading; only if the row names a test, something was computed, too. If the column
+  "how it was checked" is empty, the column "what is true" has the numbers, if there are any.
 - The last column, "tests", has the names of the tests that compute the item with numbers; the test NAME is the file
   tests/test_NAME.c. For each item that has a test, the test calls the macro ERRATUM. The first argument of the call repeats the
   cell of the column "equation", as in ERRATUM("(16)", ...). The call checks that the printed form of the equation is wrong and
@@ -73,7 +73,8 @@ from tests/data/errata.txt.
   Omega_2, that of the part. Or means Omega_r and Or1 means Omega_r1: these are Omega_2 and Omega_1 relative to the initial body.
   Ob means Omega_b, the angular velocity before the break or at the start. The letter w means the Greek letter omega. For a column
   vector d, P(d) means the matrix |d|^2 E - d d^T, where E is the unit matrix. The letters a and alpha mean the exponent of the
-  elastic force. The [glossary](glossary.md) has the other symbols.
+  elastic force, but l in the row (81) means lambda. In products such as Om2 k the letter k is the unit vector perpendicular to the
+  plane of the motion. The [glossary](glossary.md) has the other symbols.
 
 END
     awk -F'\t' '$2 != "verified" {n[$2]++; if ($6 == "") none++} $2 == "verified" {v++} END {

@@ -530,9 +530,8 @@ static int fails_once(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     circle(t, y, dydt, NULL);
     if (--countdown) return 0;
-    if (!ctx) return 9;
-    dydt[0] = VM_NAN;
-    return 0;
+    dydt[0] = ctx ? VM_NAN : 1000;
+    return ctx ? 0 : 9;
 }
 
 static void test_one_failure(void)
@@ -570,6 +569,27 @@ static void test_one_failure(void)
             CHECK(fabs((double)s.y[0] - cos((double)s.t)) < (is_float ? 1e-3 : 1e-5));
             CHECK(status != ODE_OK || (e.count == 1 && fabs((double)e.t - pi / 2) < (is_float ? 1e-3 : 1e-5)));
         }
+}
+
+/* Where the right-hand side stops the run, also in the first evaluation after an event, the state between s.t_old and
+   s.t is still that of the last step. */
+static void test_inside_after_failure(void)
+{
+    const vm_real y0[2] = {1, 0};
+    int when;
+    for (when = 1; when < 80; when++) {
+        vm_real work[RK87_WORK(2)], y[2] = {0, 0}, middle;
+        ode_event e = event(level, NULL, 0, ODE_RESTART);
+        rk45_options o = with_events(1e-6, &e, 1);
+        rk45 s;
+        o.h_max = R(0.25);
+        CHECK(m->init(&s, fails_once, NULL, 2, 0, y0, &o, work) == ODE_OK);
+        countdown = when;
+        if (m->solve(&s, 2) == ODE_OK) continue;
+        middle = s.t_old + (s.t - s.t_old) / 2;
+        CHECK(m->interpolate(&s, middle, y) == ODE_OK);
+        CHECK(fabs((double)y[0] - cos((double)middle)) < (is_float ? 1e-3 : 1e-5));
+    }
 }
 
 static vm_real above_half(vm_real t, const vm_real *y, void *ctx)
@@ -737,6 +757,7 @@ int main(void)
         test_large_states();
         test_corners();
         test_one_failure();
+        test_inside_after_failure();
     }
     return check_finish("events");
 }

@@ -55,6 +55,9 @@ static int is_fused(void)
     return 1 - above * below != 0;
 }
 
+/* Prints an argument with 15 digits, or with 17 if these would hide how close it is to 1. */
+static void print_argument(double x) { printf(x != 1 && fabs(x - 1) < 5e-15 ? " %.17g" : " %.15g", x); }
+
 /* The naive formula is to be worse than four bounds. In wider registers, and with fused operations, it may do better
    than its type can. */
 static void check_case(const hard_case *c)
@@ -69,7 +72,7 @@ static void check_case(const hard_case *c)
         if (c->x[i] != 0) last = i;
     }
     printf("| %s | %s |", c->text, c->kernel);
-    for (i = 0; i <= last; i++) printf(" %.15g", c->x[i]);
+    for (i = 0; i <= last; i++) print_argument(c->x[i]);
     v = value_of(c, x);
     if (!v) {
         printf(" | NO VALUE\n");

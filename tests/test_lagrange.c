@@ -449,10 +449,20 @@ static vm_real one_motion_energy(vm_real t, const vm_real *q, const vm_real *rat
     return v * v / 2;
 }
 
+/* The mass of coordinate 0 is `ctx`, that of coordinate 1 is 1. */
+static vm_real two_masses_energy(vm_real t, const vm_real *q, const vm_real *rates, const vm_real *masses, void *ctx)
+{
+    (void)t;
+    (void)q;
+    (void)masses;
+    return (*(const vm_real *)ctx * rates[0] * rates[0] + rates[1] * rates[1] + rates[0] * rates[1] / 2) / 2;
+}
+
 /* No run goes on where the mass matrix is singular. */
 static void test_singular_mass_matrices(void)
 {
-    vm_real work[VM_LAGRANGE_RHS_WORK(2, 1)], y[4] = {1, 2, 3, 4}, q = 1, rates[2] = {1, 1};
+    vm_real work[VM_LAGRANGE_RHS_WORK(2, 1)], y[4] = {1, 2, 3, 4}, q = 1, rates[2] = {1, 1}, mass = -1;
+    vm_real dydt[4] = {7, 7, 7, 7};
     vm_lagrange_system l = {1, 1, leaking_mass, leaking_energy, NULL, NULL, NULL, NULL};
     double stopped;
     l.work = work;
@@ -465,6 +475,14 @@ static void test_singular_mass_matrices(void)
     l.masses = NULL;
     l.energy = one_motion_energy;
     CHECK(vm_lagrange_rates(&l, 0, y, rates) == VM_SINGULAR && rates[0] == 1);
+    l.energy = two_masses_energy;
+    l.ctx = &mass;
+    CHECK(vm_lagrange_rates(&l, 0, y, rates) == VM_SINGULAR && rates[0] == 1); /* a negative mass */
+    CHECK(vm_lagrange_rhs(0, y, dydt, &l) == VM_SINGULAR && dydt[0] == 7);
+    mass = 0;
+    CHECK(vm_lagrange_rates(&l, 0, y, rates) == VM_SINGULAR && rates[0] == 1);
+    mass = -VM_INFINITY;
+    CHECK(vm_lagrange_rates(&l, 0, y, rates) == VM_NOT_FINITE && rates[0] == 1);
 }
 
 int main(void)

@@ -240,7 +240,7 @@ static void check_jumps(void)
     agrees("catch", "mass", s.bodies[0].mass, 7, 7, 1e-15);
 }
 
-/* Two bodies become one, on a line and on an axle. */
+/* Two bodies become one, on a line, where an oblique blow hits them, and on an axle. */
 static void check_sticking(void)
 {
     stage s;
@@ -251,11 +251,14 @@ static void check_sticking(void)
     stage_body(&s, vm_scene_body_axle(1, 0, 0));
     stage_event(&s, vm_then_attach(vm_event_at(1), 0, 1));
     stage_event(&s, vm_then_attach(vm_event_at(1), 2, 3));
+    s.events[0].external.linear = stage_vec(3, 7, 0);
+    s.events[0].external.at.y = 2;
+    s.events[0].external.couple.z = 1;
     begin(&s);
     run(&s, 2, VM_OK);
-    agrees("sticking", "line", s.y[1], 2, 1, 1e-15);
+    agrees("sticking", "line", s.y[1], 2 + 1, 1, 1e-15);
     agrees("sticking", "axle", s.y[5], 2, 1, 1e-15);
-    agrees("sticking", "x", s.y[0], 2 + 2, 1, 1e-14); /* 3 m at t = 1, together at 2 m, 2 m/s on */
+    agrees("sticking", "x", s.y[0], 2 + 3, 1, 1e-14); /* 3 m at t = 1, together at 2 m, 3 m/s on */
     balanced(&s, "sticking", 10, 10);
 }
 
@@ -271,9 +274,9 @@ static void check_plane(void)
     stage_body(&s, vm_scene_body_absent(vm_scene_body_point(1, zero, zero)));
     stage_event(&s, vm_then_separate(vm_event_at(1), 0, 1, &part, 1));
     stage_event(&s, vm_then_attach(vm_event_at(2), 0, 1));
-    s.events[1].external.linear = stage_vec(1, -1, 0);
-    s.events[1].external.at = stage_vec(2, 1, 0);
-    s.events[1].external.couple.z = REAL(0.3);
+    s.events[1].external.linear = stage_vec(1, -1, 5); /* z is perpendicular to the plane, and does not act */
+    s.events[1].external.at = stage_vec(2, 1, 4);
+    s.events[1].external.couple = stage_vec(3, 2, 0.3);
     begin(&s);
     run(&s, 1.5, VM_OK);
     agrees("plane", "inertia", s.bodies[0].inertia.zz, 1 - 0.5 - 0.5 * 0.5 / 1.5, 1, 1e-14);
@@ -406,7 +409,8 @@ static void check_special_jumps(void)
     }
 }
 
-/* An axle loses half of its inertia, which turns 1 rad/s faster than the axle, and gets an impulsive torque. */
+/* An axle loses half of its inertia, which turns 1 rad/s faster than the axle, and gets an impulsive torque of 0.25 N m
+   s: 0.1 of a couple, and 0.15 of an impulse beside the axle. */
 static void check_axle_jump(void)
 {
     vm_body part = part_of(1, 0);
@@ -416,7 +420,9 @@ static void check_axle_jump(void)
     stage_body(&s, vm_scene_body_axle(2, REAL(0.5), 3));
     stage_body(&s, vm_scene_body_absent(vm_scene_body_axle(1, 0, 0)));
     stage_event(&s, vm_then_separate_on_line(vm_event_at(1), 0, 1, &part, 1));
-    s.events[0].external.couple.z = REAL(0.25);
+    s.events[0].external.couple.z = REAL(0.1);
+    s.events[0].external.linear = stage_vec(0.05, 0.25, 0);
+    s.events[0].external.at = stage_vec(1, 2, 0);
     begin(&s);
     run(&s, 2, VM_OK);
     agrees("axle jump", "omega", s.y[1], 3 * 2 - 4 + 0.25, 1, 1e-14);

@@ -422,11 +422,13 @@ static void check_refusals(void)
     stage_body(&s, vm_scene_body_growing_free(vm_scene_body_free(&body)));
     stage_body(&s, vm_scene_body_axle(1, 0, 0));
     stage_body(&s, vm_scene_body_with_mass_state(vm_scene_body_free(&body)));
+    stage_body(&s, vm_scene_body_plane(1, 1, body.r, 0, body.v, 0));
     stage_effect(&s, vm_effect_stream_mass(0, &stream));
     begin(&s);
     refused_effect(&s, vm_effect_stream_mass(0, NULL), VM_BAD_ARGUMENT);
     refused_effect(&s, vm_effect_stream_mass(1, &stream), VM_BAD_MOTION);
     refused_effect(&s, vm_effect_stream_mass(2, &stream), VM_DOES_NOT_GROW);
+    refused_effect(&s, vm_effect_stream_mass(3, &stream), VM_DOES_NOT_GROW);
     refused_effect(&s, vm_effect_varying(vm_effect_motor(1, 0, 1, 1), band_now, NULL), VM_BAD_ARGUMENT);
     stream.motion = 9;
     refused_effect(&s, vm_effect_stream_force(0, &stream), VM_BAD_ARGUMENT);

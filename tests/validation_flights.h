@@ -148,8 +148,9 @@ static const char *const brick_published[3][8] = {
     {"12.6183907757", "-17.3974747619", "31.1195888868", "-4.28935504226", "-3.81965492189", "-56.1513075938",
      "15598.9043522", "45832.753467"}};
 
-static const char *const brick_what[8] = {"roll rate", "pitch rate", "yaw rate", "yaw", "pitch", "roll", "height, ft",
-                                    "y, inertial, ft"};
+static const char *const brick_what[8] = {"roll rate, degrees/s", "pitch rate, degrees/s", "yaw rate, degrees/s",
+                                          "yaw, degrees",         "pitch, degrees",        "roll, degrees",
+                                          "height, ft",           "y, inertial, ft"};
 
 static void validate_brick(void)
 {
@@ -208,7 +209,7 @@ static void validate_other_bricks(void)
     validation_begin(&others);
     for (i = 0; i < 4; i++)
         for (j = 0; j < 3; j++) {
-            sprintf(text, "%s, %s rate", other_bricks[i][0], axis[j]);
+            sprintf(text, "%s, %s rate, degrees/s", other_bricks[i][0], axis[j]);
             validation_row(text, other_bricks[i][j + 1], s.rate[j]);
         }
 }

@@ -22,11 +22,11 @@ int main(int argc, char **argv)
     double mass = 0, rate, t;
     int status = VM_OK;
 
-    puts("   t (s)  mass (kg)  amplitude (m)   its law    route that was taken");
+    puts("   t (s)  mass (kg)  amplitude (m)  its law (m)  route that was taken");
     for (t = 0; t <= end && status >= 0; t += 10) {
         status = vm_osc_within(&bucket, t, 1e-6, &motion); /* the cheapest route within an error of 1e-6 */
         vm_law_at(&bucket.mass, t, &mass, &rate);
-        printf("%8.0f %10.1f %14.6f %10.6f   %s\n", t, mass, motion.amplitude,
+        printf("%8.0f %10.1f %14.6f %12.6f  %s\n", t, mass, motion.amplitude,
                0.05 * vm_osc_amplitude_law(mass / 10, 0, 0, 1), vm_osc_route_name(motion.route));
     }
     if (csv) fprintf(csv, "t (s),\"x (m)\",\"amplitude\",\"with a reactive force (325)\"\n");

@@ -41,7 +41,7 @@ int main(int argc, char **argv)
             fprintf(csv, "%g,%.6f,%.6f,%.6f,%.6f\n", t, s[0].y[0], s[1].y[0],
                     vm_vdp_amplitude(&v, t, starts[0]), vm_vdp_amplitude(&v, t, starts[1]));
     }
-    printf("amplitude at t = 100: from 0.3 %.6f, from 3 %.6f; steady %.6f (425); with constant mass %.6f\n",
+    printf("amplitude at t = 100 s: %.6f m from 0.3 m, %.6f m from 3 m; steady: %.6f m (425), with constant mass %.6f m\n",
            vm_vdp_amplitude(&v, 100, 0.3), vm_vdp_amplitude(&v, 100, 3),
            vm_vdp_limit_cycle(&v, growth, NULL), vm_vdp_limit_cycle(&v, 0, NULL));
     if (csv) fclose(csv);

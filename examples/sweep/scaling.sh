@@ -39,9 +39,9 @@ awk -v one="$one" -v threads="$threads" -v ranks="$ranks" -v samples="$samples" 
     printf "%.0f %%.\n\n", 100 * round / (round + 0.0015)
     print "The efficiency is lower if the sweep stores the results of finished blocks in a file. The file grows by 15 MB in each round,"
     printf "that is, by %.0f MB in each second of computing. If the disk can write 200 MB/s, and no rank computes while the disk writes, the\nefficiency is %.0f %%.\n", \
-        15.7 / round, 100 * round / (round + 15.7 / 200 + 0.0015)
+        15.36 / round, 100 * round / (round + 15.36 / 200 + 0.0015)
     print "If each block has 65536 break-ups instead of 4096 (the constant BLOCK in breakups.c), the file is only a sixteenth as long."
-    printf "The efficiency with this shorter file is %.0f %%.\n", 100 * 16 * round / (16 * round + 15.7 / 200 + 0.0015)
+    printf "The efficiency with this shorter file is %.0f %%.\n", 100 * 16 * round / (16 * round + 15.36 / 200 + 0.0015)
     print "But another value of BLOCK changes the last digits of the results, because numbers are then added in another order. Every rank"
     print "also needs memory for the results of all blocks: 240 bytes for each block, which is 60 MB for 1e9 break-ups in blocks of 4096."
 }'

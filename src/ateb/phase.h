@@ -78,12 +78,12 @@ VM_API vm_real vmi_ateb_phase_r(vm_two h, const vmi_ateb *c)
 /* Returns 1 if ateb_phase has a result for this alpha, else 0. */
 VM_API int vmi_ateb_has_phase(vm_real alpha) { return alpha >= 0 && alpha <= VM_C(1e30); }
 
-/* The phase s of given values of sa and ca, with -Pi_alpha < s <= Pi_alpha. alpha lies between 0 and 1e30. The given
+/* The phase s of given values of sa and ca, with -Pi_alpha <= s <= Pi_alpha. alpha lies between 0 and 1e30. The given
    values need not satisfy sa^2 + |ca|^(alpha+1) = 1: for every lambda > 0 the pair sa lambda^((alpha+1)/2) and ca
    lambda has the same phase as sa and ca. Therefore the phase of the oscillator x'' = -omega^2 x|x|^(alpha-1) is found
    with sa = -x' sqrt((alpha+1)/2)/omega and ca = x. Returns 0 for sa = 0 <= ca. If sa and ca come from ateb_saca(s,
-   ...), the result is s with an error of at most 8 ulp plus the change of s that errors of 6 ulp in sa and in ca make.
-   Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
+   ...) with |s| <= Pi_alpha, the result is s with an error of at most 8 ulp plus the change of s that errors of 6 ulp
+   in sa and in ca make. Returns NaN for alpha < 0, alpha > 1e30, NaN and infinite arguments. */
 VM_API vm_real ateb_phase(vm_real sa, vm_real ca, vm_real alpha)
 {
     vm_real r;

@@ -361,9 +361,9 @@ VM_API void vmi_ateb_block_saca(const ateb_plan *plan, const vm_real *s, vm_real
 
 /* sa and ca of n arguments for the plan's alpha. The arrays s, sa and ca have n elements each. s may be the array sa or
    the array ca; otherwise the three arrays must not overlap. Domain and accuracy are those of ateb_plan_saca. Unless
-   the compiler fuses products and sums, the results have the same bits as its results. Arguments are computed in blocks
-   of 32. Arguments with |s| >= p->longest, and those that are not finite, are computed one by one. Arrays are faster
-   than single calls on processors with wide vector registers (docs/cost.md has the times). */
+   the compiler fuses products and sums, the results have the same bits as those of ateb_plan_saca. Arguments are
+   computed in blocks of 32. Arguments with |s| >= p->longest, and those that are not finite, are computed one by one.
+   Arrays are faster than single calls on processors with wide vector registers (docs/cost.md has the times). */
 VM_API void ateb_plan_saca_array(const ateb_plan *p, int n, const vm_real *s, vm_real *sa, vm_real *ca)
 {
     const int wide = VMI_ATEB_WIDE && p->quarter.hi < 1 / VM_EPSILON;

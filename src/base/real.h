@@ -2,8 +2,8 @@
 
    All other files include this one. It defines vm_real (double, or float where VM_USE_FLOAT is defined) and gives a
    default to each macro that the user has not set. It stops the compiler with an error if a compiler option changes the
-   results, and the linker if a program has files in float and in double. It names the four functions of the C library
-   that the kit uses: sqrt, fabs, floor, copysign.
+   results, and the linker if a program has files in float and in double. It names the functions of the C library that
+   the kit uses: sqrt, fabs, floor, copysign, and fma where FP_FAST_FMA says that it is fast.
 
        vm_real x = VM_C(0.1); // the number 0.1 as a vm_real, in double and in float
 

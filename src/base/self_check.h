@@ -15,9 +15,9 @@
 #include "sums.h"
 
 /* Returns 1 if sums are computed in the order in which they are written, as arithmetic in two words needs, and if a
-   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` VM_SPLIT, the factor that
-   splits a number into two halves. The caller reads them from volatile variables, so that the compiler cannot know
-   their values. */
+   product is rounded when 0 is added to it. `one` must be 1, `eps` VM_EPSILON, and `split` 2^27 + 1 (float 2^12 + 1),
+   the factor that splits a number into two halves. The caller reads them from volatile variables, so that the compiler
+   cannot know their values. */
 VM_API int vmi_keeps_order(vm_real one, vm_real eps, vm_real split)
 {
     const vm_real above = one + eps, third = one / 3;

@@ -274,9 +274,9 @@ VM_API void vmi_record(const rk45 *s, ode_event *e, vm_real x)
 }
 
 /* Finds the first event that ends the step: *cut becomes the fraction of the step at which this event happens, and
-   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the
-   functions g of all other events are followed again up to *cut, because their values at *cut may show that one of
-   them has an earlier zero. The search ends when there is no earlier zero. Returns a status. */
+   *owner the index of the event. Both stay as they are if no event ends the step. When an event is found, the functions
+   g of all other events that can end a step are followed again up to *cut, because their values at *cut may show that
+   one of them has an earlier zero. The search ends when there is no earlier zero. Returns a status. */
 VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
 {
     int i, pass, found = 1;
@@ -415,7 +415,8 @@ VM_API void vmi_keep_events(rk45 *s)
 }
 
 /* Undoes the last step, and takes back the counts of its events, because a function of the user failed during the
-   search for events. The next call then makes the same step again, and no event is lost. */
+   search for events or the state at an event is not finite. The next call then makes the same step again, and no event
+   is lost. */
 VM_API void vmi_take_back_events(rk45 *s)
 {
     int i;

@@ -60,6 +60,8 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
     const vm_real direction = vmi_direction(s, t_end);
     vm_real *k1 = vmi_part(s, VMI_K), least;
     int status = ODE_OK;
+    s->t_old = s->t; /* the k of the step before this one are overwritten, even if an error follows */
+    s->t_old_low = s->t_low;
     if (s->k1 == VMI_K1_IS_LAST) vmi_copy(s->n, vmi_part(s, vmi_last_k(&s->pair)), k1);
     if (s->k1 == VMI_K1_MISSING) {
         status = vmi_eval(s, s->t, s->y, k1);
@@ -69,8 +71,6 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
         if (status) return status;
     }
     s->k1 = VMI_K1_READY;
-    s->t_old = s->t;
-    s->t_old_low = s->t_low;
     if (s->h == 0) status = vmi_first_step(s, direction, longest);
     if (status) return status;
     least = vmi_least_step(&s->options, s->t);

@@ -28,12 +28,13 @@ enum {
     ODE_RTOL_RAISED = 1, /* the option rtol was too small for the method: rk45_init has raised it to 16 eps, or
                             rk87_init has raised it to 256 eps */
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
-    ODE_STIFF = 3,       /* t_end was reached, but for a while stability, not the tolerance, limited the step size */
-    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state or an option is not
-       finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component has no tolerance,
-       h_min is negative or above h_max, or an event has no g. Or a time of output is outside the last step, or the
-       listed times are not in order. Or a saved run does not fit, or the init function of another method made the
-       rk45. */
+    ODE_STIFF = 3,       /* success, but during this call stability, not the tolerance, came to limit the step size;
+                            later calls return ODE_OK, and s->stiff remains 1 */
+    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state, rtol, atol or h0 is
+       not finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component has no
+       tolerance, an element of atol_each is negative, h_min is negative or above h_max, or an event has no g, a
+       negative room or a negative stop_after. Or a time of output is outside the last step, or the listed times are not
+       in order. Or a saved run does not fit, or the init function of another method made the rk45. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
     ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
@@ -43,7 +44,8 @@ enum {
        the largest number of the type. A jump of f does not end a run: s->missed counts it. */
     ODE_STEP_TOO_SMALL = -4,
     ODE_MAX_STEPS = -5,     /* max_steps attempts did not reach t_end; another call continues the run */
-    ODE_WORK_TOO_SMALL = -6 /* work_size is less than RK45_WORK(n) or RK87_WORK(n), or size is less than RK45_SAVED */
+    ODE_WORK_TOO_SMALL = -6 /* an array is too short: work needs RK45_WORK(n) or RK87_WORK(n) numbers, a saved run
+                               RK45_SAVED or RK87_SAVED bytes */
 };
 
 /* A function that writes the n derivatives f(t, y) to dydt and returns 0, or any other number to stop the run. ctx is
@@ -63,7 +65,9 @@ VM_API const char *ode_strerror(int status)
     case ODE_NOT_FINITE: return "the right-hand side, the state or an event function is not finite";
     case ODE_STEP_TOO_SMALL: return "the step size became too small";
     case ODE_MAX_STEPS: return "max_steps was reached";
-    case ODE_WORK_TOO_SMALL: return "work is too small: it needs RK45_WORK(n) or RK87_WORK(n) numbers";
+    case ODE_WORK_TOO_SMALL:
+        return "an array is too short: work needs RK45_WORK(n) or RK87_WORK(n) numbers, a saved run RK45_SAVED or "
+               "RK87_SAVED bytes";
     default: return "unknown status";
     }
 }

@@ -72,7 +72,7 @@ typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
     vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
     vm_real h0;               /* size of the first step, 0: computed from f. Its sign is the direction of rk45_step. */
-    vm_real h_min;            /* size of the shortest step; the default is the resolution of t */
+    vm_real h_min;            /* size of the shortest step, except at t_end and events; default: the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
     long max_steps;           /* steps that a call of rk45_solve may try; default 1000000, negative means no limit */
     const vm_real *atol_each; /* NULL, or n absolute tolerances of the components, in place of atol; 0 means none */

@@ -96,9 +96,9 @@ VMI_FOLDED int vmi_last_k(const vmi_rk_pair *pair) { return VMI_K + pair->stages
 VMI_FOLDED vm_real vmi_least_rtol(const vmi_rk_pair *pair) { return (vm_real)pair->rounding * VM_EPSILON; }
 
 /* Macros for the stages of a pair. VMI_H is h times a coefficient. VMI_EVAL evaluates k = f(t, y) and counts it; if f
-   stops the run, it returns from the function that makes the stages. In every sum the coefficients are multiplied by h
-   first, and the k that was evaluated last is the last term. So only one multiplication and one addition come between
-   one evaluation of f and the next. */
+   stops the run, it returns from the function that makes the stages. In every sum the latest k is the last term, and
+   its coefficient is multiplied by h first. So only one multiplication and one addition come between one evaluation of
+   f and the next. (In stage 8 of rk87, k_7 is in an earlier term, too.) */
 #define VMI_H(c) (h * VM_C(c))
 #define VMI_EVAL(t, y, k)                \
     do {                                 \

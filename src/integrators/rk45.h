@@ -141,8 +141,10 @@ VMI_LOOP int vmi_rk45_run(rk45 *s, ode_rhs f, int n, vm_real t_end, int single)
 
 #define RK45_WORK(n) (10 * (n)) /* number of elements of the array work for n components */
 
-/* Returns the options of rk45 with each zero replaced by its default, as rk45_init uses them. rtol becomes at least 16
-   VM_EPSILON. If options_or_NULL is NULL, all options have their defaults. */
+/* Returns the options of rk45 as rk45_init uses them. Each zero is replaced by its default (h0 and h_min stay 0), each
+   negative tolerance by 0, and a positive rtol below 16 VM_EPSILON by 16 VM_EPSILON. If options_or_NULL is NULL, all
+   options have their defaults. Do not pass a result with a tolerance 0 to rk45_init, which would replace this 0 by the
+   default. */
 VM_API rk45_options rk45_defaults(const rk45_options *options_or_NULL)
 {
     const vmi_rk_pair pair = vmi_rk45_pair();
@@ -185,10 +187,11 @@ VM_INLINE int rk45_solve_with(rk45 *s, ode_rhs f, int n, vm_real t_end)
     return vmi_end_solve(t_end, vmi_rk45_run(s, f, n, vmi_last_time(t_end), 0));
 }
 
-/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite
-   if there is such an event. Nothing changes if s->t is t_end. After an error s->t and s->y are those of the last
-   accepted step. Returns a status. The status is ODE_MAX_STEPS after options.max_steps attempts; another call then
-   continues the run. */
+/* Makes steps of rk45 to t_end exactly, forward or backward, or to an event that ends the run. t_end may be infinite if
+   there is such an event. If s->t is t_end already, s->event becomes -1 and s->y changes only by rounding errors: if an
+   event has ended the last step just before t_end, a step shorter than the resolution of t is made. After an error s->t
+   and s->y are those of the last accepted step. Returns a status. The status is ODE_MAX_STEPS after options.max_steps
+   attempts; another call then continues the run. */
 VM_INLINE int rk45_solve(rk45 *s, vm_real t_end)
 {
     if (!s) return ODE_BAD_ARGUMENT;

@@ -127,7 +127,7 @@ VMI_FOLDED int vmi_rk87_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
 /* Estimates the error that a jump of f inside a step of size 1 causes in a component whose derivatives are k1 ... k13.
    This error is up to a quarter of the jump. The difference of the results of orders 8 and 7 is nearly the same with
    and without a jump in the first nine tenths of the step: in this difference the weights of the k before the jump add
-   up to 4e-4 at most. `seen` is the magnitude of another sum of the k, of order 5. In this sum the weights of the k
+   up to 4.2e-4 at most. `seen` is the magnitude of another sum of the k, of order 5. In this sum the weights of the k
    before the jump add up in magnitude to
      0.11 for a jump before 0.155 of the step (only k1 is before it), 0.17 for a jump between 0.155 and 0.465 (k1 and
      k7 are before it), 0.25 for a jump between 0.465 and 0.9 (k1, k7 and k6 are before it).
@@ -401,9 +401,10 @@ VM_INLINE int rk87_solve(rk87 *s, vm_real t_end)
 }
 
 /* Computes the state y(t) at a time t within the last step of rk87, accurate to order 8. y receives n numbers. The
-   first call after a step evaluates f seven times, unless t is s->t. Returns ODE_BAD_ARGUMENT if t is not between
-   s->t_old and s->t. In these evaluations f may also stop the run (then the status is ODE_RHS_STOPPED) or give a number
-   that is not finite (ODE_NOT_FINITE), although the step itself has succeeded. */
+   first call after a step evaluates f seven times, unless t is s->t or the run has events: then the search for events
+   has made these evaluations. Returns ODE_BAD_ARGUMENT if t is not between s->t_old and s->t. In these evaluations f
+   may also stop the run (then the status is ODE_RHS_STOPPED) or give a number that is not finite (ODE_NOT_FINITE),
+   although the step itself has succeeded. */
 VM_API int rk87_interpolate(rk87 *s, vm_real t, vm_real *y)
 {
     if (!s || s->pair.method != VMI_RK87) return ODE_BAD_ARGUMENT;

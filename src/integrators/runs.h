@@ -20,7 +20,7 @@ typedef struct VM_TAG(rk45) {
     vm_real t;            /* current time */
     vm_real *y;           /* current state, n numbers (in work) */
     vm_real t_old;        /* the last accepted step is from t_old to t (rk45_interpolate); t_old is t after an error */
-    vm_real h;            /* size of the next step to be tried, with its sign; 0 before the first step */
+    vm_real h;            /* size of the next step to be tried, with its sign; at first the option h0, which may be 0 */
     long steps;           /* number of accepted steps; these counts stop at LONG_MAX */
     long rejected;        /* number of rejected steps */
     long evals;           /* number of evaluations of f */

@@ -1,10 +1,10 @@
 /* integrators/saved.h - runs that are saved as bytes and resumed later
 
-   A saved run has all the numbers of an rk45, of its work and of its events, but no pointers. The program that
-   resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The resumed run
-   has the same bits as a run that was not interrupted. A plain copy of an rk45 is not enough: y, work, options.events
-   and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair point to functions
-   and data of the program.
+   A saved run has the numbers of an rk45 except its options, and those of its work and of its events, but no pointers.
+   The program that resumes it calls rk45_init with the f, n, options and events of the saved run, then rk45_resume. The
+   resumed run has the same bits as a run that was not interrupted. A plain copy of an rk45 is not enough: y, work,
+   options.events and options.atol_each are pointers to arrays of the caller, and f, ctx and the fields of the pair
+   point to functions and data of the program.
 
        unsigned char bytes[RK45_SAVED(2, 0)]; // n = 2, no events
        double y0[2] = {1, 0}, work[RK45_WORK(2)], other_work[RK45_WORK(2)];
@@ -119,6 +119,7 @@ VM_API void vmi_saved_int(vmi_saved_place *p, int *x)
     if (!p->saves) *x = (int)(int32_t)(uint32_t)bits;
 }
 
+/* Writes or reads the numbers of an event. */
 VM_API void vmi_saved_move_event(vmi_saved_place *p, ode_event *e)
 {
     vmi_saved_long(p, &e->count);

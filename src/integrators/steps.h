@@ -50,10 +50,10 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
     return VMI_SMALLER(largest, VMI_LARGEST_RATIO);
 }
 
-/* Chooses the size s->h of the first step from the magnitudes of y, y' and y'' (Hairer et al. [2, II.4]). The aim is
-   an error of this step of 1 % of the tolerance. |s->h| is at most 100 times the size of a step that changes y by 1 %,
-   and at most `longest`. `direction`, 1 or -1, is the sign of s->h. The function overwrites k_2 and the part VMI_Z of
-   work. Returns a status. */
+/* Chooses the size s->h of the first step from the magnitudes of y, y' and y'' (Hairer et al. [2, II.4]). The aim is an
+   error of this step of 1 % of the tolerance. |s->h| is at most `longest`, and at most 100 times the size of a step
+   that changes y by 1 % (at most 1e-4 if y or y' is below 1e-5 of the tolerance). `direction`, 1 or -1, is the sign of
+   s->h. The function overwrites k_2 and the part VMI_Z of work. Returns a status. */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);

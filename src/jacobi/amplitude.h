@@ -16,8 +16,8 @@
 
 /* Jacobi's amplitude am(u | m) in radians: sn = sin am and cn = cos am, for m <= 1. The amplitude is odd, continuous
    and rising (apart from errors of 4 ulp), and am(u + 2K) = am(u) + pi. The error is at most 8 ulp for |u| <= 100 K.
-   Returns NaN for m > 1 and for infinite arguments, but for m = 1 and an infinite u the limit, pi/2 or -pi/2. Method:
-   am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
+   Returns NaN for m > 1 and for infinite arguments, except that for m = 1 and an infinite u it returns the limit, pi/2
+   or -pi/2. Method: am = j pi + atan(sn/cn), where 2 j K is the multiple of 2 K nearest to u. */
 VM_API vm_real jacobi_am(vm_real u, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

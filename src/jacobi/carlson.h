@@ -449,10 +449,10 @@ VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. R_J does not change if x, y and z are
    exchanged. For p > 0 the error is at most 8 ulp where no argument is more than 1e16 times another one, and at most 16
-   ulp elsewhere. For p < 0 R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of
-   R_J(x, y, z, |p|). R_J is infinite if p = 0 or if two of x, y, z are 0. It is 0 if an argument is infinite. It is NaN
-   if both hold, or if x, y or z is negative. It may be NaN, too, if one argument is more than 1e307 times (float 1e37)
-   another one that is not 0. DLMF 19.16.2. */
+   ulp elsewhere. For p < 0 R_J is Cauchy's principal value, which has zeros: its error is at most 16 eps of R_J(x, y,
+   z, |p|). R_J is infinite if p = 0; if two of x, y, z are 0, it is infinite with the sign of p. It is 0 if an argument
+   is infinite. It is NaN if both hold, or if x, y or z is negative. It may be NaN, too, if one argument is more than
+   1e307 times (float 1e37) another one that is not 0. DLMF 19.16.2. */
 VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
 {
     const vm_real top = vmi_larger(vmi_larger(x, y), z), largest = vmi_larger(top, VM_FABS(p));
@@ -460,6 +460,7 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     vmi_carlson_scale by;
     vm_real rj;
     if (!vmi_carlson_allowed(x, y, z) || p != p) return VM_NAN;
+    if (zeros && !infinite && p < 0) return -VM_INFINITY;
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
     by = vmi_carlson_scale_of(largest);
     if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;

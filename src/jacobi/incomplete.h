@@ -112,7 +112,7 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 /* F(phi | m), the incomplete elliptic integral of the first kind. F is the inverse of the amplitude. F is odd in phi,
    and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 F is
    phi for infinite phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 F is infinite for |phi| > pi/2.
-   For m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call.
+   For m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/peers.md has the time of a call.
    DLMF 19.2.4, 19.25.5. */
 VM_API vm_real jacobi_F(vm_real phi, vm_real m)
 {
@@ -160,10 +160,10 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return vmi_with_turns(angle.turns, vmi_E(m1, m1_lo), part);
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1
-   E(phi + pi) = E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for
-   infinite phi. For m = -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where
-   m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/cost.md has the time of a call. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1 E(phi + pi) = E(phi)
+   + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for infinite phi. For m =
+   -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where m sin^2 phi > 1, for |phi|
+   > pi/2, and for infinite m. docs/peers.md has the time of a call. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -402,14 +402,14 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
     return vmi_with_turns(angle.turns, vmi_Pi(n, m, m1), part);
 }
 
-/* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd
-   in phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
+/* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
+   phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1; if rounding makes n sin^2 phi equal to 1, Pi is infinite.
    Beyond the first pole Pi is Cauchy's principal value. For n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the
    effect of changing n by 4 ulp. For a finite phi, Pi is 0 for infinite n and a finite m < 1, and for m = -infinity and
    a finite n < 1. Pi is NaN for those infinite n or m for which jacobi_Pi(n, m) is NaN. For infinite phi and m <= 1, Pi
    is infinite with the sign of phi Pi(n | m), and NaN if Pi(n | m) is 0 or NaN. For m > 1 Pi is NaN where m sin^2 phi >
-   1, for |phi| > pi/2, and for infinite m or n. docs/cost.md has the time of a call. DLMF 19.2.7. */
+   1, for |phi| > pi/2, and for infinite m or n. docs/peers.md has the time of a call. DLMF 19.2.7. */
 VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);

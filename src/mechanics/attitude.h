@@ -41,9 +41,9 @@ VM_API void vmi_set3(vm_real *y, vm_vec3 a)
 /* Reads a quaternion from four numbers of a state array, in the order w, x, y, z */
 VM_API vm_quat vmi_get_quat(const vm_real *y) { return vmi_quat(y[0], vmi_get3(y + 1)); }
 
-/* Returns the vector of length 1 in the direction of a. The relative error of each component is within 4 eps, if the
-   length of a is a normal number (at least VM_MIN). Returns NaN if a component is infinite or if the length of a is 0,
-   because a then has no direction. */
+/* Returns the vector of length 1 in the direction of a. If the length of a is a normal number (at least VM_MIN), the
+   relative error of each component that is a normal number is within 4 eps. Returns NaN if a component is infinite or
+   if the length of a is 0, because a then has no direction. */
 VM_API vm_vec3 vm_unit(vm_vec3 a)
 {
     const vm_vec3 b = vmi_over(a, vmi_norm_max(a));

@@ -48,19 +48,12 @@ typedef struct VM_TAG(vmi_axle_sum) {
     vm_vec3 linear, angular, arm;
 } vmi_axle_sum;
 
-/* The angular momentum, about the mass centre of a body, that the body has if its angular velocity is omega */
-VM_API vm_vec3 vmi_axle_spin(const vm_body *body, vm_vec3 omega)
-{
-    const vmi_mat3 turn = vmi_rotation(body->q);
-    return vmi_times(&turn, vmi_inertia_times(&body->inertia, vmi_times_transposed(&turn, omega)));
-}
-
 /* Adds `sign` times the momentum and the angular momentum of a body to *sum. Both are relative to the frame that turns
    about the point O with the angular velocity omega. */
 VM_API void vmi_axle_add(vmi_axle_sum *sum, vm_real sign, const vm_body *body, vm_vec3 O, vm_vec3 omega)
 {
     const vm_vec3 d = vm_sub(body->r, O), slip = vm_sub(body->v, vm_cross(omega, d));
-    const vm_vec3 momentum = vm_scale(body->mass, slip), spin = vmi_axle_spin(body, vm_sub(body->omega, omega));
+    const vm_vec3 momentum = vm_scale(body->mass, slip), spin = vmi_spin_momentum_at(body, vm_sub(body->omega, omega));
     sum->linear = vm_add(sum->linear, vm_scale(sign, momentum));
     sum->angular = vm_add(sum->angular, vm_scale(sign, vm_add(spin, vm_cross(d, momentum))));
 }
@@ -97,7 +90,7 @@ VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_su
                          vm_impulse *reaction)
 {
     const vm_vec3 d = sum->arm, speed = vm_cross(e, d); /* velocity of the mass centre at 1 rad/s */
-    const vm_vec3 column = vm_add(vmi_axle_spin(b, e), vm_scale(b->mass, vm_cross(d, speed)));
+    const vm_vec3 column = vm_add(vmi_spin_momentum_at(b, e), vm_scale(b->mass, vm_cross(d, speed)));
     const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
     vm_real change = 0;
     vm_vec3 couple;

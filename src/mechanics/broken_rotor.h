@@ -98,8 +98,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
                                               the velocity of S2 perpendicular to S2A [(58) corrected]. */
     vm_real stop_inertia;                  /* If the piece had this inertia I_S2, kg m^2, the remainder would not turn
                                               after the break. If the value is < 0 or not finite, no such inertia
-                                              exists. For alpha = 0 the value is I_S (R - SS2)/R [after (64),
-                                              corrected]. */
+                                              exists. If alpha = 0 and the velocity of S is along SA or 0, the value
+                                              is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
 /* Returns VM_OK if all fields of the rotor are finite and have the signs that vm_broken_rotor demands, else the
@@ -143,8 +143,8 @@ VM_API int vm_broken_rotor_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 
 /* Right-hand side of the rotor's equations of motion in polar form (75).
    Its type is ode_rhs. The state y has the VM_BROKEN_ROTOR_STATES numbers {r, phi, psi, r', phi', psi'}. `rotor` must
-   point to a vm_broken_rotor. Returns VM_DOMAIN, which ends the run, if r is not positive; else a status of
-   vm_broken_rotor_rhs. */
+   point to a vm_broken_rotor. Returns VM_NOT_FINITE if r is NaN; VM_DOMAIN, which ends the run, if r is not positive;
+   else a status of vm_broken_rotor_rhs. */
 VM_API int vm_broken_rotor_polar_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;

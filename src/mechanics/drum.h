@@ -89,7 +89,7 @@ typedef struct VM_TAG(vm_drum_shaft) {
 
 /* The mass of the band per radian on a drum, mu = R h b rho (181), kg/rad.
    The radius R of the drum, the thickness h and the width b of the band are in m, and the density rho of the band is in
-   kg/m^3. If an argument is NaN, the result is NaN. */
+   kg/m^3. The arguments are not checked. If an argument is NaN, the result is NaN. */
 VM_API vm_real vm_drum_band(vm_real radius, vm_real thickness, vm_real width, vm_real density)
 {
     return radius * thickness * width * density;
@@ -272,8 +272,8 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 /* Right-hand side of the equations of the shaft's vibration as a function of the angle phi, (210), (211).
    Its type is ode_rhs. The state y has VM_DRUM_ANGLE_STATES numbers. `drum` must point to a vm_drum. The independent
    variable is the angle phi instead of time. The angular velocity phi' is taken from the drum on a rigid shaft (196).
-   Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi; else a status
-   of vm_drum_rhs. */
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi, if phi or the
+   field `band` is negative, or if `inertia` or `omega` is not positive; else a status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -419,11 +419,11 @@ VM_API vm_real vm_drum_angle(const vm_drum *d, vm_real t)
 
 /* Angle of the drum, rad, on a rigid shaft by Lambert's W, (198)-(206) corrected.
    The letters J0, Omega_b, e, j are explained at vm_drum_rate. With r = 1 + e phi/(J0 Omega_b), k1 = 1 - e/(j Omega_b)
-   and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with
-   x = -exp(-f1/k1)/k1. W is the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function serves only
-   for comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits, because x
-   approaches the branch point of W. The code uses ln |x|, because x itself overflows or underflows for small k1 (for
-   k1 = 1e-3 it may be 1e-868). Returns NaN for e = 0, for k1 = 0, and where vm_drum_rate returns NaN. */
+   and f1 = 1 + e^2 t/(J0 j Omega_b), the angle follows from r - k1 ln r = f1. The solution is r = -k1 W(x) with x =
+   -exp(-f1/k1)/k1. W is the branch W_-1 for 0 < k1 < 1, and the branch W_0 for other k1. This function serves only for
+   comparison, since vm_drum_angle is more accurate: near e = 0 the solution by W loses all digits, because x approaches
+   the branch point of W. The code uses ln |x|, because x itself overflows or underflows for small k1 (for k1 = 1e-3 it
+   may be 1e-868). Returns NaN for e = 0, for k1 = 0, for j = 0, and where vm_drum_rate returns NaN. */
 VM_API vm_real vm_drum_angle_lambert(const vm_drum *d, vm_real t)
 {
     vm_real j, e, k1, f1, l, w; /* l = ln |x|, w = W(x) */

@@ -3,11 +3,11 @@
    This chapter has right-hand sides of equations of motion, for the integrators rk45 and rk87. The body is rigid, and
    its mass, mass centre and inertia change while it moves. In vm_flow_rhs streams cause these changes, as in the
    equations (151), (152) of the dissertation [1]. In vm_flow_given_rhs mass, mass centre and inertia are given
-   functions of time (170). In vm_flow_carried_rhs mass, mass centre and inertia are given functions of time, too, and
-   the mass that is lost or gained moves with the body (166). In vm_flow_rhs and vm_flow_given_rhs momentum and angular
-   momentum are states (numbers to integrate), from which velocity and angular velocity follow. Therefore a momentum
-   that is conserved stays exactly constant. The rate of a stream may jump, because momentum and angular momentum do
-   not jump with this rate.
+   functions of time (170). In vm_flow_carried_rhs mass, inertia and the rate of the mass centre are given functions of
+   time, and the mass that is lost or gained moves with the body (166). In vm_flow_rhs and vm_flow_given_rhs momentum
+   and angular momentum are states (numbers to integrate), from which velocity and angular velocity follow. Therefore a
+   momentum that is conserved stays exactly constant. The rate of a stream may jump, because momentum and angular
+   momentum do not jump with this rate.
 
        vm_flow flow;
        ode_event empty;
@@ -85,11 +85,11 @@ typedef struct VM_TAG(vm_flow) {
     vm_vec3 moment;     /* moment of the outer forces about the mass centre, plus all torques, N m, inertial axes */
     /* NULL, or a function that is called before each evaluation of a right-hand side and sets what depends on time and
        state. It may set every field of the flow and of its streams: for example the weight (flow->force = mass times g,
-       with the mass y[VM_Y_MASS]), the rate of a stream that a valve changes, or the mass M(t), mass centre c(t) and
-       inertia I(t) for vm_flow_given_rhs and vm_flow_carried_rhs. The function returns 0 to go on. If it returns
-       another number, the run ends with the integrator's status ODE_RHS_STOPPED. The values that it sets must be smooth
-       functions of t and y. To switch something at an instant, use an event with the action ODE_RESTART and set the
-       event's function `change`. */
+       with the mass y[VM_Y_MASS]), the rate of a stream that a valve changes, the mass M(t), mass centre c(t) and
+       inertia I(t) for vm_flow_given_rhs, or M(t), I(t) and the rate c'(t), the field `drift`, for vm_flow_carried_rhs.
+       The function returns 0 to go on. If it returns another number, the run ends with the integrator's status
+       ODE_RHS_STOPPED. The values that it sets must be smooth functions of t and y. To switch something at an instant,
+       use an event with the action ODE_RESTART and set the event's function `change`. */
     int (*update)(vm_real t, const vm_real *y, struct VM_TAG(vm_flow) * flow);
     void *ctx;             /* pointer for the caller's `update`; not used by the functions below */
     vm_real mass;          /* mass for vm_flow_given_rhs and vm_flow_carried_rhs, kg */
@@ -105,9 +105,10 @@ typedef struct VM_TAG(vm_flow) {
        then NaN, so that the integrator shortens its step. An event should stop the run before the mass or the inertia
        becomes impossible. */
     int status;
-    /* Length of the array y, VM_LENGTH(y), which all functions below check; 0 means unknown. vm_flow_start writes
-       VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as many as y_size allows. If y_size allows all
-       VM_FLOW_BALANCED_STATES, it also sets the seven integrals of the balance to 0. */
+    /* Length of the array y, VM_LENGTH(y), which the right-hand sides, vm_flow_start and vm_flow_body check (the two
+       event functions do not); 0 means unknown. vm_flow_start writes VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as
+       many as y_size allows. If y_size allows all VM_FLOW_BALANCED_STATES, it also sets the seven integrals of the
+       balance to 0. */
     int y_size;
 } vm_flow;
 
@@ -182,7 +183,7 @@ VM_INLINE int vmi_flow_motion(const vm_flow *flow, const vm_real *y, const vmi_f
     const int status = vmi_flow_check_mass(b->mass);
     if (status) return status;
     if (!vmi_inertia_factor_if_possible(&b->inertia, &factors)) return VM_BAD_INERTIA;
-    *turn = vmi_rotation_of_square(q, q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+    *turn = vmi_rotation_of_square(q, vmi_quat_square(q));
     h = vmi_times_transposed(turn, vmi_get3(y + VM_Y_H));
     vmi_stream_on_the_way(flow->n, flow->streams, b->centre, &p_on_the_way, &h_on_the_way);
     seen->turn = turn;
@@ -297,7 +298,7 @@ VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
     vm_flow *flow = (vm_flow *)ctx;
     const vm_quat q = vmi_get_quat(y + VM_Y_Q);
-    const vm_real square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    const vm_real square = vmi_quat_square(q);
     const vm_vec3 omega = vmi_get3(y + VM_Y_H);
     vmi_mat3 turn;
     vmi_inertia_ldl factors;
@@ -390,7 +391,7 @@ VM_API int vm_flow_start(vm_flow *flow, const vm_body *body, vm_real *y)
    be a state of vm_flow_carried_rhs, which has different states. Returns
    - VM_BAD_ARGUMENT for a null pointer, and if n < VM_FLOW_GIVEN_STATES or the number of streams is negative;
    - VM_SHORT_ARRAY if flow.y_size is below n but not 0;
-   - VM_NOT_FINITE if a number of y or of the result is infinite or NaN;
+   - VM_NOT_FINITE if a number of y that describes the body, or a number of the result, is infinite or NaN;
    - VM_BAD_MASS if the mass is not positive;
    - VM_BAD_INERTIA if no body can have the inertia, and also for a rod or a point;
    - VM_OK otherwise. */

@@ -45,7 +45,8 @@ enum {
 /* A stream of mass that enters or leaves a body on a line or an axle. For a body on an axle let M' be the mass per
    time, rho the distance from the axle at which the mass enters or leaves, and kappa the inertia per unit mass of this
    mass about its own mass centre. Then `rate` must be M' (kappa + rho^2), the rate of the moment of inertia. `velocity`
-   must be the angular momentum per unit mass, about the axle, of this mass, divided by kappa + rho^2. */
+   must be the angular momentum per unit mass, about the axle, of this mass, divided by kappa + rho^2. If `motion` is
+   VM_RELATIVE, this is the angular momentum of the motion relative to the body. */
 typedef struct VM_TAG(vm_stream1) {
     vm_real rate;     /* mass per time, kg/s (axle: kg m^2/s); > 0: mass joins, < 0: mass leaves */
     vm_real velocity; /* velocity of the stream's mass, m/s (axle: rad/s) */

@@ -84,9 +84,9 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
    angular velocity makes the rest turn with the angular velocity *rest_omega_or_NULL (rad/s). If one of these two
    pointers is NULL, *moving keeps the velocity, or the angular velocity, of *part.
      - If *rest_omega_or_NULL is the vector 0, the rest does not turn (Table 2 of [1], cases 5 and 7; Table 4, case 2).
-     - If *rest_v_or_NULL is also the vector 0, the rest does not move at all (Table 3, cases 6 and 8).
-     - If these two vectors are equal to the velocity and the angular velocity of the whole, the rest moves on as the
-       whole did (Table 3, case 7).
+     - If *rest_v_or_NULL is the vector 0, the mass centre of the rest is at rest (Table 2, case 7; Table 3, cases 6
+       and 8).
+     - If *rest_omega_or_NULL is the angular velocity of the whole, the rest turns as the whole did (Table 3, case 7).
 
    Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. In
    this case the part cannot have this angular momentum, and *moving brings the rest as close to the wanted motion as
@@ -196,9 +196,9 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
 /* Velocity that a part must have in the plane, so that the rest turns with rest_omega (rad/s). *moving becomes a copy
    of *part with the new velocity; the velocity in *part is not read. The part keeps its angular velocity. Let S and S2
    be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
-   component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. This is case 7 of
-   Table 3 in the dissertation. Returns VM_SINGULAR if S and S2 are one point, because then no velocity turns the rest.
-   The other statuses are those of vm_separate2. */
+   component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. If rest_omega is
+   the angular velocity of the whole, this is case 7 of Table 3 in the dissertation, corrected. Returns VM_SINGULAR if S
+   and S2 are one point, because then no velocity turns the rest. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {

@@ -145,8 +145,9 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y contains the coordinates q and the momenta pi. Returns
-   VM_NOT_FINITE if t, y or A is not finite, VM_SINGULAR if they are finite but A is not positive definite, and VM_OK
-   otherwise. y is checked because A and b may not depend on each coordinate. */
+   VM_SINGULAR if an entry A_kk on the diagonal is zero or negative, or if A is finite but not positive definite;
+   VM_NOT_FINITE if t, y or A is not finite; and VM_OK otherwise. y is checked because A and b may not depend on each
+   coordinate. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
@@ -154,6 +155,10 @@ VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t,
     if (!VM_IS_FINITE(t) || !vmi_all_finite(2 * system->n, y)) return VM_NOT_FINITE;
     vmi_lagrange_freeze(system, t, y);
     vmi_lagrange_quadratic(system, t, y);
+    for (k = 0; k < system->n; k++) { /* if A_kk is not positive, the entries beside it may be NaN */
+        const vm_real own = w.A[k * system->n + k];
+        if (own <= 0 && VM_IS_FINITE(own)) return VM_SINGULAR;
+    }
     if (!vmi_all_finite(system->n * system->n, w.A)) return VM_NOT_FINITE;
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
     return vmi_solve_mass(system->n, w.A, w.rates, w.trial);

@@ -41,11 +41,7 @@ VM_API void vm_lagrange_mass(int n, const vm_body *body, const vm_vec3 *dr_or_NU
     if (!body || !matrix) return;
     for (j = 0; j < n; j++) {
         vm_vec3 spin = vmi_vec3(0, 0, 0);
-        if (turn_or_NULL) {
-            vm_body moved = *body;
-            moved.omega = turn_or_NULL[j];
-            spin = vmi_spin_momentum(&moved);
-        }
+        if (turn_or_NULL) spin = vmi_spin_momentum_at(body, turn_or_NULL[j]);
         for (i = 0; i < n; i++) {
             vm_real sum = 0;
             if (dr_or_NULL) sum = body->mass * vm_dot(dr_or_NULL[i], dr_or_NULL[j]);
@@ -76,7 +72,7 @@ VM_API void vm_lagrange_impulse(int n, const vm_impulse *impulse, vm_vec3 r, con
                                 const vm_vec3 *turn_or_NULL, vm_real *p)
 {
     if (!impulse || !p) return;
-    const vm_vec3 moment = vm_add(impulse->couple, vm_cross(vm_sub(impulse->at, r), impulse->linear));
+    const vm_vec3 moment = vmi_impulse_moment(impulse, r);
     vm_lagrange_add_force(n, impulse->linear, dr_or_NULL, moment, turn_or_NULL, p);
 }
 

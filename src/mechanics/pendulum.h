@@ -47,6 +47,7 @@ typedef struct VM_TAG(vm_pendulum_cut) {
     vm_real T1;       /* kinetic energy of the whole rod before the cut (119), J */
     vm_real T_S1;     /* kinetic energy of the remaining rod after the cut (124), J */
     vm_real T_S2;     /* kinetic energy of the part after the cut, J [(122) corrected] */
+    /* The angular momenta L1 and L2 are positive in the direction in which the angle phi grows. */
     vm_real L1;       /* angular momentum of the remaining rod about its end O after the cut (130), kg m^2/s */
     vm_real L2;       /* angular momentum of the part about the same point O, kg m^2/s [(128) corrected] */
     vm_real pivot_x;  /* impulse of the pivot on the remaining rod during the cut, along x, N s */

@@ -145,9 +145,8 @@ typedef struct VM_TAG(vmi_stream_seen) {
 } vmi_stream_seen;
 
 /* The sums over the streams of a moving body, in body axes except `absolute`. The letters M', u, v, d, kappa, omega2
-   are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this relative
-   velocity. The function does not subtract v from u, because the difference u - v would lose digits if the body is
-   fast. */
+   are explained at vm_reactive. If a stream's velocity is given relative to the body, the sums use this velocity as the
+   difference u - v, which is then not computed from u and v: if the body is fast, it would lose digits. */
 typedef struct VM_TAG(vmi_stream_sum) {
     vm_real rate;       /* total mass rate, the sum of M' over all streams, kg/s */
     vm_real carried;    /* sum of M' of the streams whose velocity is relative to the body */

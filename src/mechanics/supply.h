@@ -12,15 +12,16 @@
 
    The equations. Let m be the mass that is left, m1 that of the full supply, L the length, R the radius, e the unit
    vector along the axis from the lower end to the upper one, E the unit matrix, and b the lower end of the axis. The
-   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The mass that leaves next lies at the point s,
-   and its inertia per unit mass is q_a e e^T + q_t (E - e e^T).
+   inertia about the mass centre c is m [k_a e e^T + k_t (E - e e^T)]. The part by which the supply shrinks next lies at
+   the point s. In a tank of liquid this point is at the surface, although the outlet is at the lower end. The inertia
+   of this part per unit mass is q_a e e^T + q_t (E - e e^T).
      liquid  level h = L m/m1, c = b + e h/2, k_a = R^2/2, k_t = R^2/4 + h^2/12; s = b + e h, q_a = R^2/2, q_t = R^2/4
      gas     c = s = b + e L/2, k_a = q_a = R^2/2, k_t = q_t = R^2/4 + L^2/12
      grain   bore r, r^2 = (m r0^2 + (m1 - m) R^2)/m1 with the bore r0 of the full grain, c = s = b + e L/2,
              k_a = (R^2 + r^2)/2, k_t = (R^2 + r^2)/4 + L^2/12, q_a = r^2, q_t = r^2/2 + L^2/12
    These formulas follow from the volumes. The first and second moments of the mass about a fixed point give the
    identities d(m c)/dm = s and dI/dm = Q + P(s - c), where I is the inertia about c, Q the inertia per unit mass of the
-   mass that leaves next, and P(d) = |d|^2 E - d d^T.
+   part by which the supply shrinks next, and P(d) = |d|^2 E - d d^T.
    Tests: tests/test_supply.c. */
 #ifndef VARMASS_MECHANICS_SUPPLY_H
 #define VARMASS_MECHANICS_SUPPLY_H
@@ -61,8 +62,8 @@ typedef struct VM_TAG(vm_supply_left) {
     vm_inertia inertia;         /* inertia about this mass centre, kg m^2, body axes */
     vm_vec3 centre_by_mass;     /* derivative of `centre` with respect to the mass, m/kg */
     vm_inertia inertia_by_mass; /* derivative of `inertia` with respect to the mass, m^2 */
-    vm_store store;             /* position and gyration of the mass that leaves next, for the field `from` of a
-                                   vm_stream */
+    vm_store store;             /* position and gyration of the part by which the supply shrinks next, for the field
+                                   `from` of a vm_stream */
 } vm_supply_left;
 
 /* The tensor axial e e^T + transverse (E - e e^T) for a unit vector e and the unit matrix E. The diagonal entries are

@@ -46,7 +46,8 @@
    two words limit the accuracy after many turns close to the separatrix. A component of omega below 2^-505 (float
    2^-57) times the largest component is taken as 0. */
 typedef struct VM_TAG(vm_torque_free) {
-    vm_body body;                /* the body at the time t0 */
+    vm_body body;                /* the body at the time t0; after vm_torque_free_init_principal the components of its
+                                    omega are along the body axes */
     vm_real t0;                  /* the time at which the body has the state `body`, s */
     vmi_mat3 axes;               /* columns: the principal axes 1, 2, 3, right-handed, in body axes */
     vm_quat start;               /* rotation to inertial axes from axes whose axis 3 is along the angular momentum, or
@@ -57,12 +58,14 @@ typedef struct VM_TAG(vm_torque_free) {
                                     w = 1 + lean[2] dn, x = lean[1] sn, y = lean[0] cn */
     vm_two phase;                /* u/(4K) at t0, where u is the argument of sn, cn, dn; u itself on the separatrix */
     vm_two phase_rate;           /* rate of the phase, 1/s */
-    vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix */
+    vm_two K;                    /* quarter period of sn as a function of u; 0 on the separatrix and if omega is
+                                    constant */
     vm_two turn_rate;            /* mean rate, turns/s, of the angle s h in equation (B) below; s h is half the angle
                                     through which the body has turned about the angular momentum */
     vm_real m1;                  /* 1 - m, where m is the parameter of sn, cn, dn */
     vmi_theta_form far_form;     /* constants for sn, cn, dn at arguments far from 0; for m1 > 0.05 only k' */
-    vmi_doubled_theta theta;     /* the theta function of equation (B) below; sigma arg theta is h - kappa t */
+    vmi_doubled_theta theta;     /* the theta function of equation (B) below, or its complex conjugate if sigma s < 0;
+                                    its argument (angle) is s (h - kappa t) */
 } vm_torque_free;
 
 /* The solution. Let 1, 2, 3 be the principal axes of the body: axis 2 has the middle moment of inertia, and the vector
@@ -361,7 +364,7 @@ VM_API void vmi_torque_free_at(const vm_torque_free *motion, vm_two t, vm_vec3 *
     x = motion->lean[1] * sn;
     y = motion->lean[0] * cn;
     over = 1 / VM_SQRT(2 * w * (re * re + im * im));
-    c = over * (cosine * re - sine * im); /* cos h and sin h, divided by sqrt(2 w) */
+    c = over * (cosine * re - sine * im); /* cos(s h) and sin(s h), with the s of (B), divided by sqrt(2 w) */
     s = over * (sine * re + cosine * im);
     *turn = vmi_quat(c * w, vmi_times(&motion->axes, vmi_vec3(c * x - s * y, c * y + s * x, s * w)));
     *omega = vmi_times(&motion->axes, vmi_vec3(motion->spin[0] * cn, motion->spin[1] * sn, motion->spin[2] * dn));
@@ -465,8 +468,8 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
    the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0.
    If the quaternion at t0 was all zero, or if its length was within 64 eps of 1, the length of *q is 1. Returns
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns
-   is above 1e290 (float 1e30), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns is
+   above about 1e300 (float 8e34), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
    the result is finite and has the right angular momentum, but the angle through which the body has turned has no
    correct digits. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)

@@ -29,10 +29,10 @@
 
 /* Writes the means of F s and F c over a period to *Fs and *Fc. The wave w gives the function c for the position and
    the function s for the velocity. F is the force during the motion x = A c, x' = -V s, where A is the amplitude and V
-   the largest velocity. Gauss' rule integrates over each quarter of the period in two parts, with 20 points in each.
-   The first part is from psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there. The second part
-   is from cut to the zero of x. There the rule uses the square root of the distance of psi from this zero as its
-   variable, since F may contain fractional powers of this distance. */
+   is w->speed times the largest velocity. Gauss' rule integrates over each quarter of the period in two parts, with 20
+   points in each. The first part is from psi = 0 to psi = cut; for large alpha the velocity varies like tanh psi there.
+   The second part is from cut to the zero of x. There the rule uses the square root of the distance of psi from this
+   zero as its variable, since F may contain fractional powers of this distance. */
 VM_API void vmi_osc_means(const vm_osc_plan *p, const vmi_osc_wave *w, vm_real t, vm_real A, vm_real V, vm_real *Fs,
                           vm_real *Fc)
 {

@@ -83,9 +83,10 @@ VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses 
 /* Equations of motion of two bodies with different masses and several connections, for rk45 or rk87.
    The array y contains the positions (m) and velocities (m/s) of the bodies, (x, y, x', y'). pair points to a
    vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for a negative number of connections, and for a mass law
-   that no constructor made; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not
-   positive; VM_BAD_STIFFNESS for a stiffness that is not positive; VM_DOMAIN for an exponent < 0 and for t outside a
-   table. If the function `force` returns a number other than 0, returns this number. These statuses stop the run. */
+   that no constructor made; VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked); VM_BAD_MASS for
+   a mass that is not positive; VM_BAD_STIFFNESS for a stiffness that is not positive; VM_DOMAIN for an exponent < 0 and
+   for t outside a table. If the function `force` returns a number other than 0, returns this number. These statuses
+   stop the run. */
 VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;

@@ -301,8 +301,10 @@ VM_API vm_odd_force vmi_duffing_elastic(vm_real k1, vm_real k3)
     return force;
 }
 
-/* Duffing's force k1 x + k3 x^3. k1 (N/m) and k3 (N/m^3) may have either sign, but at least one of them must be
-   positive. Otherwise there are no vibrations, and all functions refuse the force with VM_NO_LAW. */
+/* Duffing's force k1 x + k3 x^3. k1 (N/m) and k3 (N/m^3) may have either sign. If neither of them is positive, there
+   are no vibrations. Then, except for a body at rest at x = 0, vm_odd_period and vm_odd_action return NaN;
+   vm_odd_exact_from and the routes VM_ODD_MEAN and VM_ODD_ORDER2 return VM_NO_LAW; and vm_odd_within integrates the
+   motion by rk87. */
 VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 {
     vm_odd_force force = vmi_duffing_elastic(k1, k3);
@@ -334,7 +336,7 @@ VM_API vm_real vm_duffing_energy(vm_real x, vm_real v, vm_real c1, vm_real c3)
 
 /* Exact period, s, of Duffing's oscillator x'' + c1 x + c3 x^3 = 0 from rest at x0 (m, either sign).
    For a motion in one of two wells it is the time of one vibration in this well. The period is infinite on the
-   separatrix, and between two wells also where (c3/c1) x0^2 is below VM_MIN/eps. The relative error is at most 8 eps
+   separatrix, and for c1 < 0 < c3 also where |c3/c1| x0^2 is below 2 VM_MIN/eps. The relative error is at most 8 eps
    where the two terms of c1 + c3 x0^2, and those of c1 + c3 x0^2/2, do not cancel. Returns NaN if the motion goes to
    infinity, if the body stays at rest (at x0 = 0 or x0^2 = -c1/c3), and if an argument is infinite or NaN. */
 VM_API vm_real vm_duffing_period(vm_real x0, vm_real c1, vm_real c3)
@@ -362,9 +364,9 @@ VM_API vm_real vm_duffing_action(vm_real x0, vm_real c1, vm_real c3)
 /* Writes position and velocity at time t of a motion that comes from next to x = 0 along the separatrix. Near x = 0 the
    motion is linear: the sum of a part that grows as exp(lambda |t|) and a part that falls as exp(-lambda |t|). The
    growing part has the value a at t = 0. It is the beginning of A/cosh(lambda |t| - late) with late = ln(2 A/a). Let w
-   be v0/lambda, with the sign of t. Next to x = 0 the growing part is a = (x0 + w)/2 and the falling part is (x0 -
-   w)/2. On the separatrix x0 may be large. There w = c x0 with c = sqrt(1 - x0^2/A^2), the falling part is 0, and a = 2
-   x0/(1 + c). The formulas a = 2 (x0 + w)/(1 + c)^2 and (c x0 - w)/2 hold in both cases. */
+   be v0/lambda for t > 0 and -v0/lambda for t < 0. Next to x = 0 the growing part is a = (x0 + w)/2 and the falling
+   part is (x0 - w)/2. On the separatrix x0 may be large. There w = c x0 with c = sqrt(1 - x0^2/A^2), the falling part
+   is 0, and a = 2 x0/(1 + c). The formulas a = 2 (x0 + w)/(1 + c)^2 and (c x0 - w)/2 hold in both cases. */
 VM_API void vmi_duffing_from_saddle(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     const vm_real A = VM_SQRT(-2 * c1 / c3), lambda = VM_SQRT(-c1), side = VM_COPYSIGN((vm_real)1, t);

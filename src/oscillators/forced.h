@@ -117,8 +117,8 @@ VM_API void vmi_forced_fourier(vm_forced *f)
 /* Prepares an excited oscillator: checks its fields at t = 0, and writes pi, Om1, G, c and s. Call it before all other
    functions for this oscillator. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made;
    VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is
-   not positive; VM_DOMAIN for alpha < 0 or a frequency that is not positive; VM_OK otherwise. An error leaves f as it
-   was. */
+   not positive; VM_DOMAIN for alpha < 0, a frequency that is not positive, or a law that has no value at t = 0; VM_OK
+   otherwise. An error leaves f as it was. */
 VM_API int vm_forced_init(vm_forced *f)
 {
     vmi_forced_parameters now;
@@ -159,8 +159,9 @@ VM_API void vmi_forced_motion(const vm_forced *f, const vmi_forced_parameters *n
 
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
    to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE
-   for a number that is infinite or NaN; VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive;
-   VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These statuses stop the run. */
+   for t or a field that is infinite or NaN (y is not checked); VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a
+   stiffness that is not positive; VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These
+   statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;

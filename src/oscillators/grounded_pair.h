@@ -113,7 +113,7 @@ VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
 
 /* Equations of motion of two weakly coupled oscillators, for rk45 or rk87. y = (x_0, x_1, x_0', x_1') is in m and m/s;
    pair points to a prepared vm_grounded_pair. The statuses are those of vm_grounded_pair_init at the time t, and
-   VM_DOMAIN for t outside a table; they stop the run. */
+   VM_DOMAIN for t outside a table; they stop the run. y is not checked. */
 VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;

@@ -139,8 +139,9 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
 
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
    y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and for
-   a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is
-   not positive; VM_DOMAIN for t outside a table of the mass. These statuses stop the run. */
+   a rotor without mass or stiffness; VM_NOT_FINITE where t, the mass or its rate is infinite or NaN (other numbers are
+   not checked); VM_BAD_MASS for a mass that is not positive; VM_DOMAIN for t outside a table of the mass. These
+   statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -298,8 +299,9 @@ VM_API int vmi_jeffcott_mean(vm_real t, const vm_real *y, vm_real *dydt, const v
    vm_jeffcott_to_averaged; rotor points to a vm_jeffcott. The equations hold for any force. They are useful only where
    the external force F_z, the velocity u of joining mass, the gyroscopic constant g and the change K_e(rho) - K_e(0) of
    the stiffness are small. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
-   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS
-   where K_e(0) is not positive; VM_DOMAIN for t outside a table of the mass. */
+   VM_NOT_FINITE where t, the mass, its rate or K_e(0) is infinite or NaN (other numbers are not checked); VM_BAD_MASS
+   for a mass that is not positive; VM_BAD_STIFFNESS where K_e(0) is not positive; VM_DOMAIN for t outside a table of
+   the mass. */
 VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -311,7 +313,8 @@ VM_API int vm_jeffcott_exact_rhs(vm_real t, const vm_real *y, vm_real *dydt, voi
    psi2 of the two whirls separately, (474)-(477). Because both whirls have the same frequency, such separate averages
    are right only if the force turns with z. The error is of the order of the largest perturbation (F_z, u, g, K_e(rho)
    - K_e(0) or m'), up to times of the order of the inverse of this perturbation. State and statuses are those of
-   vm_jeffcott_exact_rhs. Each call evaluates the forces at `nodes` phases. */
+   vm_jeffcott_exact_rhs; VM_BAD_ARGUMENT also means that the field `nodes` is negative. Each call evaluates the forces
+   at `nodes` phases. */
 VM_API int vm_jeffcott_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -349,10 +352,10 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 }
 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
-   K_e(A). Forward whirl, for sense >= 0, has W > 0. Backward whirl, for sense < 0, has W < 0. A >= 0 is
-   in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine epsilon), apart from the error of the
-   stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A < 0, for mass <= 0, and for numbers
-   that are infinite or NaN. */
+   K_e(A). If K_e(A) > 0, forward whirl (sense >= 0) has W > 0, and backward whirl (sense < 0) has W < 0. If K_e(A) < 0,
+   both W have the sign of g. A >= 0 is in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine
+   epsilon), apart from the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A
+   < 0, for mass <= 0, where g^2 + m K_e(A) is negative, and for numbers that are infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -417,10 +420,10 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    error of A causes an error of the phase psi that grows with time. For loads that turn with z, that is loads at a
    fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads the error of psi
    is of order 1. If F_e is linear and the loads do not turn with z, the disc does not stay on a circle, and the
-   equations are not valid. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness;
-   VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if
-   g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call evaluates the force at `nodes`
-   phases. */
+   equations are not valid. Returns VM_BAD_ARGUMENT for null pointers, for a rotor without mass or stiffness, and for a
+   negative field `nodes`; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not
+   positive; VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call
+   evaluates the force at `nodes` phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;

@@ -42,7 +42,7 @@
 typedef struct VM_TAG(vm_jeffcott_whirl) {
     vm_real radius;    /* A, m */
     vm_real angle;     /* psi, rad; it counts all turns */
-    vm_real frequency; /* W = psi', rad/s; negative for backward whirl */
+    vm_real frequency; /* W = psi', rad/s; if K_e > 0, it is negative for backward whirl */
     vm_complex z, v;   /* position A e^(i psi) and velocity i W z of the disc's centre, m and m/s */
 } vm_jeffcott_whirl;
 
@@ -248,8 +248,9 @@ VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int se
    whirl P and a backward whirl N, which do not disturb each other: z = P + N, z' = i (W1 P + W2 N) with the frequencies
    W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each of the two whirls is computed by vm_jeffcott_whirl_at, with the
    gyroscopic constant g and any share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates
-   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_NO_LAW also means that the shaft is not
-   linear. */
+   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_NO_LAW also means that the slope dK_e/drho at
+   the deflection |z| of the start is not 0. Only this slope is tested: if the shaft is not linear but has the slope 0
+   there, for example K_e = k + c rho^2 at z = 0, the result is wrong. */
 VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
 {
     vm_real mass0 = 0, mass = 0, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};

@@ -156,10 +156,11 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon. f may have any sign, since the law need not be that of a
-   mass. Returns VM_BAD_ARGUMENT for null pointers and for a law that no constructor made; VM_NOT_FINITE where t or a
-   result is infinite or NaN; VM_DOMAIN for t outside a table, for a power law where 1 + f1 t <= 0, and where the user's
-   function fails; VM_OK otherwise. An error leaves *f and *rate untouched. */
+   the value in the table, where eps is the machine epsilon; at the last point the error is within 4 eps of the larger of
+   the last two values. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
+   pointers and for a law that no constructor made; VM_NOT_FINITE where t or a result is infinite or NaN; VM_DOMAIN for
+   t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function fails; VM_OK otherwise. An
+   error leaves *f and *rate untouched. */
 VM_API int vm_law_at(const vm_law *law, vm_real t, vm_real *f, vm_real *rate)
 {
     vm_real value, slope;
@@ -564,8 +565,10 @@ VM_API int vmi_law_user_validate(const vm_law *law, int if_not_positive, vm_real
    to t is divided into parts, called panels, and the function is evaluated at 20 points of each panel. A panel is at
    most |t|/32 long, and is halved where the function changes fast. So a bump exp(-(time/w)^2) is found if w > |t|/3000
    (float |t|/2000). If the law changes in a shorter time, set law.change_time to that time, s: then no panel, and no
-   step of an integrator, is longer than change_time. A change_time that is negative or less than |t|/2^20 is refused
-   with VM_DOMAIN. */
+   step of the routes rk45 and rk87, is longer than change_time, and no step of collocation is longer than twice this
+   time. Scenes, and integrators that the user calls, do not read change_time. A change_time that is negative, or
+   positive but less than |t|/2^20, is refused with VM_DOMAIN by the functions that compute an integral or a motion from
+   0 to t. */
 VM_API vm_law vm_law_user(vm_law_function function, void *ctx)
 {
     vm_law law = vmi_law_of(0, 0, 0);

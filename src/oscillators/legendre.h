@@ -3,8 +3,7 @@
    A smooth function on [-1, 1] is represented by a series, the sum of coefficient[k] P_k(x) over k = 0 ... 19, where
    P_k are Legendre's polynomials. The integral of the function over [-1, 1] is 2 coefficient[0]. vmi_legendre_fit finds
    the coefficients from the values at the points of Gauss' rule. The other functions evaluate, integrate and
-   differentiate the series, and measure its size. The files laws.h, averaging.h, panels.h, walk.h and collocation.h use
-   these functions. Tests: tests/test_laws.c, tests/test_routes.c. */
+   differentiate the series, and measure its size. Tests: tests/test_laws.c, tests/test_routes.c. */
 #ifndef VARMASS_OSCILLATORS_LEGENDRE_H
 #define VARMASS_OSCILLATORS_LEGENDRE_H
 

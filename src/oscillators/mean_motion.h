@@ -46,7 +46,6 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     mean->inverse_mass = now.u / p->m0;
     mean->phase = now.phase;
     mean->first = now.first;
-    mean->second = now.second;
     mean->psi = now.state.psi;
     mean->third = vmi_osc_closed_third(&p->closed_mean, &now, &p->ripple);
     mean->now.m = p->m0 * vmi_exp(p->laws.rate_m * now.u, 0);

@@ -10,9 +10,9 @@
    Method: an angle theta replaces the time. With x = A cos(theta) the velocity is v = -A sin(theta) sqrt(g), and dt =
    dtheta/sqrt(g). Here g is the mean of F/x as a function of x^2, between the present x^2 and A^2. Gauss' rule
    integrates 1/sqrt(g) over theta, and converges fast because g is smooth and positive. An orbit is the motion at one
-   amplitude. The phase of the orbit is 2 pi t/period, and is 0 where x is largest. The action j of the orbit is the
-   integral of v dx over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see
-   oscillators/odd_motion.h.
+   amplitude. The phase of the orbit is 2 pi t/period. It is 0 at the turning point with the larger |x|; of the two
+   turning points of an orbit around x = 0, it is the one with x > 0. The action j of the orbit is the integral of v dx
+   over a period, divided by 2 pi. For mass, stiffness and damping that change slowly see oscillators/odd_motion.h.
    Tests: tests/test_odd_force.c. */
 #ifndef VARMASS_OSCILLATORS_ODD_FORCE_H
 #define VARMASS_OSCILLATORS_ODD_FORCE_H
@@ -230,7 +230,6 @@ VM_API vmi_orbit_folded vmi_orbit_fold(const vmi_orbit *orbit, vm_real phi)
     f.sign = rest < 0 ? -1 : 1;
     f.phi = vmi_smaller(VM_FABS(rest), orbit->span);
     f.side = 1;
-    if (orbit->place == VMI_ORBIT_LEFT) f.side = -1;
     if (orbit->place == VMI_ORBIT_AROUND_0 && turns != 2 * VM_FLOOR(turns / 2)) f.side = -1;
     return f;
 }

@@ -244,8 +244,8 @@ typedef struct VM_TAG(vmi_odd_slow) {
 
 /* Computes the fields of *slow at t. `length`, in seconds, is needed for the derivatives of laws that are functions of
    the user (see vmi_law_scaled_derivatives); in this time the phase grows by about 16. All rates are computed in a unit
-   of about length/16. Where a derivative of a law jumps at t, side = 1 means the derivative after t, and side = -1 the
-   derivative before t. */
+   of about length/16, but of at most 1 s. Where a derivative of a law jumps at t, side = 1 means the derivative after
+   t, and side = -1 the derivative before t. */
 VM_API int vmi_odd_slow_at(const vm_odd_problem *o, vm_real t, int side, vm_real length, vmi_odd_slow *slow)
 {
     enum { TERMS = 4 };

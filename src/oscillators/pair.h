@@ -66,9 +66,9 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
 
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
    The array y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or
-   where no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or
-   VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t outside a table.
-   These statuses stop the integration. */
+   where no constructor made the mass, VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked),
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t
+   outside a table. These statuses stop the integration. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -150,7 +150,8 @@ VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm
 }
 
 /* Converts the modes (A, psi, q, q') of two bodies to the motion y = (x, y, x', y'). This is the inverse of
-   vm_pair_to_averaged, and returns the same statuses. y and modes may be the same array. */
+   vm_pair_to_averaged, and returns the same statuses; it also returns VM_DOMAIN for A < 0. y and modes may be the same
+   array. */
 VM_API int vm_pair_from_averaged(const vm_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -205,8 +206,9 @@ VM_API int vmi_pair_modes_at(const vm_pair *p, vm_real t, const vm_real *y0, vmi
 /* Motion of two bodies at time t, in closed form for a mass m that is linear in time: (528), (529) with p0 = y(0) -
    x(0). The array y0 = (x, y, x', y') is the motion at t = 0. The relative error of the motion is of the order of m'/(m
    Om) up to the time m/m', where Om is the rate of the Ateb phase of y - x. Returns the statuses of
-   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW where the mass is neither linear nor constant (integrate
-   vm_pair_averaged_rhs instead). y and y0 may be the same array. */
+   vm_pair_to_averaged, at 0 and at t, and VM_NO_LAW unless the mass is a vm_law_linear, a vm_law_power with the
+   exponent 1, or a vm_law_exponential with the rate 0 (integrate vm_pair_averaged_rhs instead). y and y0 may be the
+   same array. */
 VM_API int vm_pair_at(const vm_pair *p, vm_real t, const vm_real *y0, vm_real *y)
 {
     if (!p || !y0 || !y) return VM_BAD_ARGUMENT;

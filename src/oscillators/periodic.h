@@ -29,7 +29,7 @@
        S = sum of j G_j (a_n sin(j delta) + b_n cos(j delta)),   C = sum of G_j (a_n cos(j delta) - b_n sin(j delta)).
    The sums are over the odd j for which n = j P/Q is a whole number. G_j is Om1^2 c_j/2, where Om1 is the field of
    vm_forced and c_j the Fourier coefficient of cos(j phi) in ca. Terms with j > 9 are left out; for alpha = 3 these
-   terms are below 1e-7 of the first term. Tests: tests/test_periodic.c. */
+   terms are below 5e-7 of the first term. Tests: tests/test_periodic.c. */
 #ifndef VARMASS_OSCILLATORS_PERIODIC_H
 #define VARMASS_OSCILLATORS_PERIODIC_H
 
@@ -371,7 +371,8 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
 
 /* Steady vibration of the phase delta under a periodic force: a point of the resonance curve. Each phase delta, rad,
    belongs to at most one amplitude and one frequency nu of the force, so that values of delta from -pi to pi give the
-   whole curve. The field nu of *steady is this frequency; the frequency in the fields of the oscillator is not used.
+   whole curve. The field delta of *steady is the given delta, even if it is not between -pi and pi. The field nu of
+   *steady is the frequency of the force; the frequency in the fields of the oscillator is not used.
    All other parameters are those at time t. Returns the statuses of vm_periodic_rhs. In addition it returns
    VM_NOT_FINITE where delta is not finite, and VM_DOMAIN in two cases: where no steady vibration has this phase, and
    where q = 0 in the averaged equations. q is 0 if there is neither damping nor a slow change; then the phase does not

@@ -168,7 +168,7 @@ VM_API int vm_forced_steady_states(const vm_forced *f, vm_real t, vm_steady_stat
    at most two vibrations to curve, the lower frequency first. The two vibrations lie on both sides of the backbone, the
    curve nu = w(A) with the natural frequency w. Returns how many there are, 0 where the force is too small for the
    amplitude A, or a negative status. The negative statuses are those of vm_forced_rhs; VM_DOMAIN also means that A is
-   not positive. Results that overflow are NaN. */
+   not positive. Results that overflow are infinite or NaN. */
 VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_state curve[2])
 {
     if (!f || !curve) return VM_BAD_ARGUMENT;

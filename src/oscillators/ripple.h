@@ -143,9 +143,9 @@ VM_API void vmi_chebyshev_to_powers(vm_real *c)
     }
 }
 
-/* Makes the eight polynomials, four in each set. Polynomials that the law of order five needs only for terms above
-   `order` become 0. The function adds up the power series; in the sum it replaces each power w^i or y^i by the
-   Chebyshev series of this power. */
+/* Makes the eight polynomials, four in each set. For `order` = 3 only the two polynomials CA2 are made, and all others
+   become 0; for the orders 4 and 5 all are made. The function adds up the power series; in the sum it replaces each
+   power w^i or y^i by the Chebyshev series of this power. */
 VMI_APART void vmi_ripple_make_polynomials(vmi_ripple *r, int order)
 {
     vm_real w_power[VMI_RIPPLE_KEPT]; /* coefficients of the Chebyshev series of w^i */
@@ -281,7 +281,7 @@ VM_API void vmi_ripple_join(vmi_ripple *r)
 }
 
 /* Adds to *r what the law of order five needs if it is cut off after `order`, 3 to 5: the polynomials, and the values
-   of S2 at the zeros of sa and of ca. Polynomials that only higher orders need become 0. */
+   of S2 at the zeros of sa and of ca. For `order` = 3 these two values, and all polynomials except CA2, become 0. */
 VM_API void vmi_ripple_complete(vmi_ripple *r, int order)
 {
     vmi_ripple_make_polynomials(r, order);

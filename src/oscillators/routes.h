@@ -27,21 +27,24 @@
 
    Cost. If the problem has no force F, the first seven routes (VM_ROUTE_TRIG to VM_ROUTE_ORDER5) are averaged solutions
    in closed form: they need one or two evaluations of sa and ca and the integrals of the laws of mass and stiffness,
-   for every t and every tolerance. The last three routes integrate from 0 to t within the tolerance. Each of these
-   three integrates twice, the second time with a stricter tolerance, and the difference of the two results gives the
+   for every t and every tolerance. The last three routes integrate from 0 to t within the tolerance. Each of them makes
+   pairs of runs until the error is within the tolerance. The second run of a pair is more accurate (rk45 and rk87 then
+   use a stricter tolerance, collocation more points for each step), and the difference of the two results gives the
    error. With a force F the averaged equations of the first three routes are integrated numerically, too, and the
    routes VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 do not exist. docs/cost.md has the times.
 
-   Choice. vm_osc_within takes the first of the seven averaged solutions whose estimated error is within the tolerance.
-   If there is no such solution, or if there is a force F, it integrates numerically: by collocation
-   (oscillators/collocation.h) if amplitude and phase describe the motion, otherwise by rk87.
+   Choice. vm_osc_within takes the first of the seven averaged solutions whose estimated error is within the tolerance;
+   for the orders 2 to 5 the estimated error is multiplied by 1.5 before this comparison. If there is no such solution,
+   or if there is a force F, it integrates numerically: by collocation (oscillators/collocation.h) if amplitude and
+   phase describe the motion, otherwise by rk87.
 
    What the estimate of an averaged solution covers:
      - the terms that the solution leaves out, the error of cos and cn in place of ca, and rounding errors of the phase;
      - fast changes of mass and stiffness between 0 and t. The integration along the laws looks for such changes on each
        panel, a short interval of time, and in tables between the points (for users' functions see vm_law_user). A fast
        change makes the estimate large, so that vm_osc_within integrates numerically. If the law is a user's function,
-       no step of this integration is longer than the shortest panel, so that no step skips the change.
+       no step of this integration is longer than half the shortest panel or |t|/4096, whichever is longer. If its field
+       change_time is set, no step is longer than twice this time.
    What the estimate covers where averaged equations with a force F are integrated:
      - the error of this integration, and the error of cos and cn in place of ca;
      - what averaging leaves out: the ripple within a period, the effect of the ripple at t = 0, and the terms of the
@@ -213,7 +216,8 @@ VM_API int vm_osc_plan_by_route(const vm_osc_plan *p, int route, vm_real t, vm_r
 /* -- The cheapest route -- */
 
 /* Writes the motion at t by the first of the routes VM_ROUTE_TRIG to VM_ROUTE_ORDER5 whose estimated error is within
-   the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
+   the tolerance; the estimates of VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5 are multiplied by `reserve` before. If there is no
+   such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
 VM_API int vmi_osc_averaged_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_real reserve = VM_C(1.5); /* a factor on the estimate: in one of 400 cases the true error is larger than
@@ -253,9 +257,10 @@ VM_API int vmi_osc_integrate_within(const vm_osc_plan *p, vm_real t, vm_real tol
 }
 
 /* Motion x(t), x'(t) at time t (s, either sign) within a tolerance, from a plan. The function takes the cheapest route
-   whose estimated error is within the tolerance; motion->route is this route. The error is the larger of |error of x|/A
-   and |error of v|/vmax (see vm_osc_motion). To keep the error of x below d metres, set the tolerance to d/A. A
-   tolerance of 0 means 1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
+   whose estimated error is within the tolerance; for VM_ROUTE_ORDER2 to VM_ROUTE_ORDER5, 1.5 times the estimated error
+   must be within it. motion->route is the route that was taken. The error is the larger of |error of x|/A and |error of
+   v|/vmax (see vm_osc_motion). To keep the error of x below d metres, set the tolerance to d/A. A tolerance of 0 means
+   1e-6 (float 1e-3). The statuses are those of vm_osc_plan_by_route. */
 VM_API int vm_osc_plan_within(const vm_osc_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_osc_check_call(p, VM_ROUTE_TRIG, t, &tolerance, motion);

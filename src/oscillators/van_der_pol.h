@@ -103,10 +103,11 @@ VM_API int vmi_vdp_check(const vm_vdp *v)
 }
 
 /* Prepares a Van der Pol oscillator: checks the fields alpha, k, feed, c, reactive and method, and writes the mean
-   values a1, a2, a3 (411)-(413). The functions below need this call; the mass may be set and changed later. The mean
-   values are within 20 eps of the true values. Returns VM_BAD_ARGUMENT for a null pointer or an unknown method,
-   VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness,
-   VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error leaves *v as it was. */
+   values a1, a2, a3 (411)-(413). vm_vdp_amplitude, vm_vdp_limit_cycle and vm_vdp_averaged_rhs need this call; the other
+   functions do not. The mass may be set and changed later. The mean values are within 20 eps of the true values.
+   Returns VM_BAD_ARGUMENT for a null pointer or an unknown method, VM_NOT_FINITE for a number that is infinite or NaN,
+   VM_BAD_STIFFNESS for k <= 0 without a law of the stiffness, VM_DOMAIN for alpha < 0, and VM_OK otherwise. An error
+   leaves *v as it was. */
 VM_API int vm_vdp_init(vm_vdp *v)
 {
     int status;
@@ -210,9 +211,9 @@ VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *m
 
 /* Equation of motion (404) of a Van der Pol oscillator, for rk45 or rk87.
    The array y = (x, x') is in m and m/s; `vdp` points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where
-   no constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS for a mass that is not
-   positive, VM_BAD_STIFFNESS for a stiffness that is not positive, and VM_DOMAIN for alpha < 0 and for t outside a
-   table. These statuses stop the integration. */
+   no constructor made the mass, VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked), VM_BAD_MASS
+   for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, and VM_DOMAIN for alpha < 0
+   and for t outside a table. These statuses stop the integration. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;

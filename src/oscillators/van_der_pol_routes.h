@@ -159,6 +159,8 @@ VM_API int vmi_vdp_check_call(const vm_vdp_plan *p, vm_real t, vm_real *toleranc
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive between 0 and t,
      VM_DOMAIN for a negative tolerance, t outside a table, a table whose times do not rise, or a user's function that
        fails,
+     VM_NO_LAW, for the first three routes, where the elastic force is so weak that the rate of the phase underflows,
+       for example for alpha = 5 and x = 1e-200 m,
      VM_NOT_INTEGRATED, for all routes but VM_ROUTE_RK87, where amplitude and phase do not describe the motion,
      VM_NOT_INTEGRATED, for the first three routes, where two points of a table, or t = 0 and a point of a table, are
        closer than a quarter of a vibration, if these points lie between 0 and t,
@@ -182,8 +184,9 @@ VM_API int vm_vdp_plan_by_route(const vm_vdp_plan *p, int route, vm_real t, vm_r
 
 /* -- The cheapest route -- */
 
-/* Writes the motion by the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 whose estimated error
-   is within the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves *motion untouched. */
+/* Writes the motion by the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 for which 1.5 times
+   the estimated error is within the tolerance. If there is no such route, it returns VM_TOLERANCE_MISSED and leaves
+   *motion untouched. */
 VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     const vm_real reserve = VM_C(1.5); /* a factor on the estimate, the same as in vmi_osc_averaged_within */
@@ -201,10 +204,10 @@ VM_API int vmi_vdp_law_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance
 }
 
 /* Motion x(t), x'(t) of a Van der Pol oscillator within a tolerance, from a plan. t is in seconds, of either sign. The
-   function takes the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 whose estimated error is
-   within the tolerance. If there is no such route, it integrates numerically; motion->route is the route that it took.
-   The error is the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion); a tolerance of 0 means 1e-6
-   (float 1e-3). Returns the statuses of vm_vdp_plan_by_route. */
+   function takes the first of the routes VM_ROUTE_ATEB, VM_ROUTE_ORDER2 and VM_ROUTE_ORDER3 for which 1.5 times the
+   estimated error is within the tolerance. If there is no such route, it integrates numerically; motion->route is the
+   route that it took. The error is the larger of |error of x|/A and |error of v|/vmax (see vm_osc_motion); a tolerance
+   of 0 means 1e-6 (float 1e-3). Returns the statuses of vm_vdp_plan_by_route. */
 VM_API int vm_vdp_plan_within(const vm_vdp_plan *p, vm_real t, vm_real tolerance, vm_osc_motion *motion)
 {
     int status = vmi_vdp_check_call(p, t, &tolerance, motion);
@@ -264,12 +267,12 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
 /* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon is feed/(m W), where m
    is the mass, and W the rate of the Ateb phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A
    (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1.
-   The errors of both results are O(epsilon^4). Mass and stiffness are those at t = 0; the fields method, reactive and
-   a1 to a3 do not matter. Returns VM_BAD_ARGUMENT for null pointers, an unknown method, and a mass that no constructor
-   made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a mass that is not positive,
-   VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for a table whose times do not rise
-   or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there is no limit cycle, that is
-   where feed and c do not have the same sign. An error leaves *cycle untouched. */
+   The errors of both results are O(epsilon^4). Mass and stiffness are those at t = 0. The fields method and reactive
+   must be valid, but the result does not depend on them, nor on a1 to a3. Returns VM_BAD_ARGUMENT for null pointers, an
+   unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS
+   for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for
+   a table whose times do not rise or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there
+   is no limit cycle, that is where feed and c do not have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
     vmi_ripple r;

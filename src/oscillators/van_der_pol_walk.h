@@ -72,8 +72,8 @@ typedef struct VM_TAG(vm_vdp_plan) {
     vmi_vdp_ripple ripple; /* constants and polynomials of the law of order three */
     int start_status;      /* VM_OK if `start` is set; else the status that says why the mean motion cannot be started
                               forward in time, VM_NO_LAW for a body at rest */
-    vmi_vdp_mean start;    /* the start of the mean motion forward in time; without such a start only the field psi is
-                              set, to the phase at t = 0 */
+    vmi_vdp_mean start;    /* the start of the mean motion forward in time; if start_status is not VM_OK, only its field
+                              psi may be used, the phase at t = 0, and not even this for a body at rest */
 } vm_vdp_plan;
 
 /* The force -c x^2 x', N, of the Van der Pol oscillator; ctx points to c. */

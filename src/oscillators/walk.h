@@ -42,8 +42,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real psi;           /* the mean phase */
     vm_real ln_J;          /* ln of (mean action at t)/(mean action at t = 0); it changes only at points of tables */
     vm_real first;         /* the part of psi that is proportional to E_0 */
-    vm_real second, third; /* `second`: the part of psi that is proportional to E_0^2; `third`: a bound of the terms of
-                              psi that the law of order five leaves out */
+    vm_real third;         /* a bound of the terms of psi that the law of order five leaves out */
     vm_real knots_J[4];    /* element i is for order i + 2: sum of the squares of the errors of ln J at points of
                               tables */
     vm_real knots_psi[4];  /* element i is for order i + 2: sum of the squares of the errors of psi at points of
@@ -82,7 +81,6 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     mean.psi = p->mean.psi;
     mean.ln_J = 0;
     mean.first = 0;
-    mean.second = 0;
     mean.third = 0;
     mean.largest = VM_FABS(p->E[0]);
     for (i = 0; i < 4; i++) {
@@ -251,7 +249,6 @@ VM_API void vmi_osc_add_panel(const vm_osc_plan *p, vmi_osc_panel *panel, vm_rea
     mean->phase += length * panel->ratio[0];
     mean->psi += W0 * (length * panel->ratio[0]) + (first + second);
     mean->first += first;
-    mean->second += second;
     mean->largest = vmi_larger(panel->largest, mean->largest);
     vmi_osc_add_changes(p, panel, length, mean);
 }
@@ -379,8 +376,9 @@ VM_API int vmi_osc_walk_start(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mea
     return VM_OK;
 }
 
-/* Integrates along the laws of mass and stiffness from 0 to t, from one point of a table to the next. It leaves those
-   fields of *mean untouched that vmi_osc_mean_update sets. */
+/* Integrates along the laws of mass and stiffness from 0 to t, from one point of a table to the next. Afterwards those
+   fields of *mean that vmi_osc_mean_update sets are not those at t: they belong to the last point of a table before t,
+   or to t = 0. */
 VM_API int vmi_osc_walk_along(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const vm_law *mass = &p->problem.mass, *stiffness = &p->problem.stiffness;

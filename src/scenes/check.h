@@ -76,8 +76,8 @@ VM_API int vmi_scene_check_parameters(const vm_scene_body *b, const vm_effect *e
     int k;
     for (k = 0; k < VM_LENGTH(e->p); k++)
         if (!VM_IS_FINITE(e->p[k])) return VM_NOT_FINITE;
-    if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->needs >= VMI_NEEDS_GROWING_BODY && !b->grows) return VM_DOES_NOT_GROW;
+    if (e->needs >= VMI_NEEDS_MASS_STATE && !b->mass_is_state) return VM_MASS_IS_NO_STATE;
     if (e->check) return (e->check)(e);
     return VM_OK;
 }

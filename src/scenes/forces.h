@@ -67,8 +67,8 @@ VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real re
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
 /* The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y). It points to the origin of the plane. r
-   is in m, the stiffness k in N/m^alpha, and the force is NaN for alpha < 0. The components are written to *fx and *fy;
-   if one of these pointers is NULL, nothing is written. */
+   is in m and the stiffness k in N/m^alpha. If alpha < 0, the force is 0 at r = 0 and NaN everywhere else. The
+   components are written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;

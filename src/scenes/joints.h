@@ -98,7 +98,8 @@ typedef struct VM_TAG(vm_joints) {
    Here a is the acceleration of the mass centre, alpha and omega are angular acceleration and angular velocity of the
    body, and `arm` leads from the mass centre to the point. drift is 0 except for a growing body: it is the velocity
    with which the mass centre moves through the material of the body. drift is subtracted because a is the rate of the
-   velocity of the material at the mass centre, and at each instant there is other material at this place. */
+   velocity of the material at the mass centre, and at each instant there is other material at this place. For a growing
+   body of which a stream has a store this is not exact (see vmi_point_of_body). */
 VM_API void vmi_joint_end_now(const vm_scene *s, int body, vm_vec3 at, const vm_real *y, vmi_joint_end *end)
 {
     const vmi_body_point *p = &end->point;
@@ -143,8 +144,8 @@ VM_API int vmi_joint_is_in_space(const vm_scene *s, int body)
     return body >= 0 && (s->bodies[body].motion == VM_POINT || s->bodies[body].motion == VM_FREE);
 }
 
-/* Writes the equations of a pin, one for each direction in which one of its points can move. The deviation C is the
-   vector between the points. */
+/* Writes the equations of a pin: three, along x, y and z, if one of its bodies is a point or free in space; else two,
+   along x and y. The deviation C is the vector between the points. */
 VM_API void vmi_pin_equations(vm_joint *joint, const vm_scene *s, const vmi_joint_end *ends)
 {
     const int in_space = vmi_joint_is_in_space(s, joint->body) || vmi_joint_is_in_space(s, joint->other);

@@ -15,7 +15,9 @@
    given in inertial axes. If `relative` is 1, it is given in the axes of the body: r leads from the mass centre of the
    body to the part, and q, v and omega are relative to the motion of the body at this point, just before the jump. In
    the plane and on an axle the new body has the angle of the body from which it separates, plus the angle that its
-   constructor received. The field `external` of the event is an impulse that acts from outside during the jump.
+   constructor received. The field `external` of the event is an impulse that acts from outside during the jump. On a
+   line only its component along x acts, on an axle only its moment about the z axis, and in the plane only what lies in
+   the plane; the guides of these bodies take up the rest.
 
    Two bodies can take part in the same jump if they have the same kind of motion. A body in the plane or a free body
    can also take up or give off a point. The functions whose names end in _on_line (for a line or an axle) and in
@@ -47,6 +49,22 @@
 #include "scene.h"
 #include "state.h"
 
+/* The part of the external impulse that acts on the body of a jump. The rest is taken up by what guides the body. */
+VM_API vm_impulse vmi_event_impulse(const vm_event *e)
+{
+    const int motion = e->scene->bodies[e->jump_body].motion;
+    const vm_vec3 zero = vmi_vec3(0, 0, 0);
+    const vm_impulse j = e->external;
+    vm_impulse acts = j;
+    if (motion == VM_POINT || motion == VM_FREE) return acts;
+    acts.linear.z = acts.at.z = acts.couple.x = acts.couple.y = 0;
+    if (motion == VM_PLANE) return acts;
+    acts.at = acts.linear = acts.couple = zero;
+    if (motion == VM_LINE) acts.linear.x = j.linear.x;
+    else acts.couple.z = vmi_impulse_moment(&j, zero).z;
+    return acts;
+}
+
 /* Computes the jump on a line and on an axle. Let `sign` be -1 for a part that separates and 1 for a body that is
    attached. The velocity of the body becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and its mass centre
    moves by the fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v are mass and
@@ -54,6 +72,7 @@
    Line and axle use the same formulas, because the numbers that a line or an axle does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
 {
+    const vm_impulse external = vmi_event_impulse(e);
     const vm_real m = e->jump_kind == VMI_JUMP_SEPARATES ? -other->mass : other->mass, mass = body->mass + m;
     if (e->relative) {
         other->r.x += body->r.x;
@@ -63,8 +82,8 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     *b = *body;
     if (!(mass > 0)) return VM_BAD_MASS;
     b->mass = mass;
-    b->v.x = (body->mass * body->v.x + m * other->v.x + e->external.linear.x) / mass;
-    b->omega.z = (body->mass * body->omega.z + m * other->omega.z + e->external.couple.z) / mass;
+    b->v.x = (body->mass * body->v.x + m * other->v.x + external.linear.x) / mass;
+    b->omega.z = (body->mass * body->omega.z + m * other->omega.z + external.couple.z) / mass;
     b->r.x = body->r.x + m / mass * (other->r.x - body->r.x);
     return VM_OK;
 }
@@ -200,14 +219,16 @@ VM_API int vmi_scene_finish_jump(vm_event *e, vm_real t, vm_real *y)
     vm_scene *s = e->scene;
     vm_budget *budget = s->budget;
     vm_budget after;
+    vm_impulse external;
     int status = vmi_event_hold_masses(e, t, y);
     if (status) return status;
     status = vmi_scene_settle(s, y);
     if (!budget) return status;
     budget->totals(s, y, &after);
     budget->jump_energy += after.energy - e->energy;
-    budget->impulse = vm_add(budget->impulse, e->external.linear);
-    budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&e->external, vmi_vec3(0, 0, 0)));
+    external = vmi_event_impulse(e);
+    budget->impulse = vm_add(budget->impulse, external.linear);
+    budget->angular_impulse = vm_add(budget->angular_impulse, vmi_impulse_moment(&external, vmi_vec3(0, 0, 0)));
     return status;
 }
 

@@ -128,21 +128,21 @@ VM_API int vmi_link_check_ends(const vm_scene *s, const vm_effect *e)
 }
 
 /* A rigid link of a given length, or a cord, which can only pull. The link keeps the mass centre of `body`, which is a
-   point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The
-   other mass centre is that of the body `other`, which must not be on an axle; the argument `point` is then NULL. If
-   other is VM_GROUND, the function `point` gives the motion of the moving point, which may lie above the plane. If
+   point or a body in the plane, at the distance `length` (m) from another mass centre or from a moving point. The other
+   mass centre is that of the body `other`, which must not be on an axle; `point_or_NULL` is then NULL. If other is
+   VM_GROUND, the function `point_or_NULL` gives the motion of the moving point, which may lie above the plane. If
    `cord` is 1, the link is a cord. Deviations from the length decrease as exp(-rate t) with the time t; rate > 0 is in
-   1/s. A cord that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes
-   the equations of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m
-   at 6 m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of
-   motion that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body
-   has a second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link
-   connects a body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place or cannot move
-   along the link. */
-VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void *ctx, vm_real length, int cord,
+   1/s. A cord that becomes taut at the speed v is stretched by about v/(e rate), where e = 2.718. A high rate makes the
+   equations of motion stiff, so that the steps become short: in float a rate of 100/s is tested for a cord of 1 m at 6
+   m/s. vm_scene_start returns VM_DOMAIN if length or rate is not positive; VM_BAD_MOTION if a body has a kind of motion
+   that is not allowed here or is a growing body, whose mass centre moves in the body; VM_TWO_LINKS if a body has a
+   second link; VM_LINK_NOT_LAST if another effect on the body follows the link; and VM_SAME_BODY if the link connects a
+   body with itself. A run ends with VM_SINGULAR if the ends of the link are at one place, or cannot move along the
+   link. */
+VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point_or_NULL, void *ctx, vm_real length, int cord,
                                 vm_real rate)
 {
-    vm_effect e = vmi_effect_between(body, 0, other, 0, point || other >= 0 ? vmi_apply_link : NULL);
+    vm_effect e = vmi_effect_between(body, 0, other, 0, point_or_NULL || other >= 0 ? vmi_apply_link : NULL);
     e.p[VMI_LINK_LENGTH] = length;
     e.p[VMI_LINK_RATE] = rate;
     e.variant = cord != 0;
@@ -151,7 +151,7 @@ VM_API vm_effect vm_effect_link(int body, int other, vm_moving_point point, void
     e.order = VMI_ORDER_LINK;
     e.check = vmi_link_check;
     e.check_in_scene = vmi_link_check_ends;
-    e.point = point;
+    e.point = point_or_NULL;
     e.ctx = ctx;
     return e;
 }

@@ -42,11 +42,11 @@ VM_API int vmi_check_mass_of_time(const vm_scene *s, const vm_effect *e)
 }
 
 /* A mass that follows a vm_law, with its reactive force. The mass is the value of *law at the time t of the scene; the
-   mass that the constructor of the body received has no effect. The velocity of the mass that joins or leaves is u +
-   (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and relative to the body if
-   reactive is 0. *law is not copied and must stay at its place in memory. vm_scene_start returns VM_BAD_ARGUMENT if
-   law is NULL or no constructor made *law. A run ends with VM_BAD_MASS if the mass is not positive, and with the
-   status of vm_law_at if this function fails. */
+   mass that the constructor of the body received is not used, but it must be positive. The velocity of the mass that
+   joins or leaves is u + (1 - reactive) v, where v is the velocity of the body: u is absolute if reactive is 1, and
+   relative to the body if reactive is 0. *law is not copied and must stay at its place in memory. vm_scene_start
+   returns VM_BAD_ARGUMENT if law is NULL or no constructor made *law. A run ends with VM_BAD_MASS if the mass is not
+   positive, and with the status of vm_law_at if this function fails. */
 VM_API vm_effect vm_effect_mass_of_time(int body, const vm_law *law, vm_vec3 u, vm_real reactive)
 {
     vm_effect e = vmi_effect(body, 0, vmi_apply_mass_of_time);

@@ -222,8 +222,9 @@ enum { VMI_FREE_R = 0, VMI_FREE_Q = 3, VMI_FREE_V = 7, VMI_FREE_OMEGA = 10 }; /*
 /* Solves Euler's equations I omega' = torque - omega x I omega for omega', where I is the inertia of the body. omega
    and omega' (`rates`) are in body axes, torque in inertial axes. The matrix of these linear equations is
    b->invertible. For a rod it includes a dummy moment about the axis of the rod (vmi_invertible_inertia), so that the
-   equations can be solved. The spin of a rod about its own axis stays constant, since no load turns the rod about this
-   axis. */
+   equations can be solved. The spin of a rod about its own axis stays constant if no effect exerts a torque about this
+   axis. Such a torque (of vm_effect_rotational_damper or vm_effect_custom) acts on the dummy moment, so that the change
+   of the spin has no physical meaning. */
 VM_API int vmi_free_euler(const vm_scene_body *b, const vmi_mat3 *axes, vm_vec3 torque, vm_vec3 omega, vm_real *rates)
 {
     const vm_inertia *i = &b->invertible;
@@ -251,8 +252,8 @@ VM_API int vmi_free_accelerate(const vm_scene_body *b, const vm_real *state, vm_
 }
 
 /* Returns the inertia with a dummy moment (an arbitrary number > 0) about each principal axis without moment of
-   inertia, so that the matrix can be inverted. No torque acts about such an axis, so that the dummy moment has no
-   effect on the motion. */
+   inertia, so that the matrix can be inverted. If no torque acts about such an axis, the dummy moment has no effect on
+   the motion. */
 VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
 {
     const vm_real trace = i->xx + i->yy + i->zz, dummy = trace > 0 ? trace : 1;
@@ -288,8 +289,10 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
 }
 
-/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod; its spin
-   about its own axis then stays constant. vm_scene_start returns VM_BAD_ARGUMENT if start is NULL. */
+/* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod; its spin about
+   its own axis then stays constant. (Only vm_effect_rotational_damper and vm_effect_custom can exert a torque about
+   this axis; a rod has no inertia about it, and the spin that they cause has no physical meaning.) vm_scene_start
+   returns VM_BAD_ARGUMENT if start is NULL. */
 VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
 {
     vm_scene_body b = vmi_scene_body(VM_FREE, 7, 6);

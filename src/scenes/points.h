@@ -55,7 +55,10 @@ VM_API vmi_mat3 vmi_point_axes(const vm_scene_body *b, const vm_real *state)
 }
 
 /* Computes the position and the velocity of the point `at` of a body. The velocity is that of the material at the
-   point. For a growing body, the velocity v in the state is that of the material at the present mass centre. */
+   point, except for a growing body of which a stream has a store. For a growing body the velocity v in the state is
+   momentum/mass. If no stream has a store, v is the velocity of the material at the present mass centre. If a stream
+   has one, v differs from this velocity by M' (at - store)/M (the field `slip` of vmi_stream_seen), which this function
+   leaves out. */
 VM_API void vmi_point_of_body(const vm_scene_body *b, vm_vec3 at, const vm_real *state, vmi_body_point *p)
 {
     const vm_real *rates = state + b->positions;
@@ -184,7 +187,10 @@ VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
 /* The position and velocity of a point of a body in the state y, in inertial axes. `at` is a vector in body axes. It
    leads to the point from the place that the mass centre has in the body at the start; on an axle it leads from the
    origin. The scene must have been started. *r is in m and *v in m/s; both are NaN if no body has this index, if scene
-   or y is NULL, or if the scene was not started. If r or v is NULL, nothing is written. */
+   or y is NULL, or if the scene was not started. If r or v is NULL, nothing is written. *v is the velocity of the
+   material at the point, except for a growing body of which a stream has a store. Inside such a body mass flows from
+   the store to the point `at` of the stream; *v then lacks the velocity M' (at - store)/M, where M is the mass of the
+   body and M' the rate of the stream. */
 VM_API void vm_scene_point_at(const vm_scene *scene, int body, vm_vec3 at, const vm_real *y, vm_vec3 *r, vm_vec3 *v)
 {
     vmi_body_point p;

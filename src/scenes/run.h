@@ -36,8 +36,6 @@ enum {
     VMI_SCENE_STEPS_IN_GAP = 32    /* number of steps in a short time between events, so that no event is missed */
 };
 
-VM_API vm_real vmi_scene_larger(vm_real a, vm_real b) { return a > b ? a : b; }
-
 /* Returns 1 if event i is due at the time t, else 0. An event at a set time is due if this time has come. Any other
    event is due if the integrator has counted new crossings; the number of new crossings is written to *times. At the
    beginning of a run, the crossings that vmi_scene_keep_crossings has kept count as new. */
@@ -104,7 +102,7 @@ VM_API int vmi_scene_run_events(vm_scene *s, rk45 *r, vm_real span, vmi_scene_pa
     if (pace->gap < resolved) pace->crowded++;
     else pace->crowded = 0;
     if (pace->crowded > VMI_SCENE_MOST_CROWDED && status == VM_OK) status = VM_TOO_MANY_EVENTS;
-    if (r->h > pace->gap / steps) r->h = vmi_scene_larger(pace->gap, resolved) / steps;
+    if (r->h > pace->gap / steps) r->h = vmi_larger(pace->gap, resolved) / steps;
     return status;
 }
 
@@ -147,7 +145,7 @@ VM_API vm_real vmi_scene_due(const vm_scene *s, vm_real t_end, int next)
 VM_API void vmi_scene_foresee(vm_scene *s, rk45 *r, vm_real t_end)
 {
     const vm_real farthest = VM_MANT_DIG > 24 ? VM_C(1e-6) : VM_C(1e-3);
-    const vm_real size = vmi_scene_larger(VM_FABS(r->t), VM_FABS(t_end));
+    const vm_real size = vmi_larger(VM_FABS(r->t), VM_FABS(t_end));
     vm_real *z = vmi_part(r, VMI_Z), *rates = vmi_part(r, VMI_K), step;
     int i;
     for (step = 4 * VM_EPSILON * size + VM_MIN; step < farthest * size; step *= 4) { /* `size` may be subnormal */
@@ -273,7 +271,7 @@ VM_API int vm_scene_run(vm_scene *scene, vm_real *t, vm_real t_end, vm_real *y, 
     scene->status = VM_OK;
     status = vmi_scene_integrator(scene, &r, *t, y, work, options_or_NULL);
     if (status) return status;
-    span = vmi_scene_larger(VM_FABS(*t), VM_FABS(t_end));
+    span = vmi_larger(VM_FABS(*t), VM_FABS(t_end));
     while (scene->times && next < scene->n_times && scene->times[next] < *t) next++;
     for (;;) {
         status = vmi_scene_run_events(scene, &r, span, &pace);

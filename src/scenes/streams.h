@@ -175,9 +175,9 @@ VM_API vm_effect vmi_effect_crossing(int body, const vm_stream *stream,
    mass, force, moment and torque of the stream are all listed, and if the stream has no store. A stream may have a
    store on the line through the point of the stream and the mass centre; for example, the tank and the nozzle of a
    rocket lie on the rocket's axis. If no other stream of the body has a store, vm_flow_rhs gives the same motion.
-   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or stream->motion is unknown, VM_STORED_STREAM if the store
-   does not lie on the line through the point of the stream and the mass centre, and VM_DOES_NOT_GROW if the body is
-   not a growing body. */
+   vm_scene_start returns VM_BAD_ARGUMENT if stream is NULL or stream->motion is unknown, VM_BAD_INERTIA if a moment of
+   a gyration is negative, VM_STORED_STREAM if the store does not lie on the line through the point of the stream and
+   the mass centre, and VM_DOES_NOT_GROW if the body is not a growing body. */
 VM_API vm_effect vm_effect_stream_mass(int body, const vm_stream *stream)
 {
     return vmi_effect_crossing(body, stream, vmi_apply_stream_mass);
