@@ -71,10 +71,11 @@
      (ODE_RECORD), ends there (ODE_STOP), or restarts there (ODE_RESTART). Every event is found exactly once, even if
      several events lie in one step, at its end or at the same instant, and after rk45_restart too.
      Events whose times differ by no more than rounding errors happen together: all are counted, and their `change`
-     functions are called in the order of the list, before the run stops or goes on. After a stop, g(s.t, s.y) is 0 or
-     already has its new sign. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g
-     jumps, the event happens at the jump. After an event the sign of g is ignored as long as rounding errors alone
-     could cause it. So one contact of a body that bounces off the ground is one event.
+     functions are called in the order of the list, before the run stops or goes on. After a stop, g(s.t, s.y) of an
+     event that happened alone is 0 or already has its new sign; of several that happened together, this is certain for
+     one. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
+     happens at the jump. After an event the sign of g is ignored as long as rounding errors alone could cause it. So
+     one contact of a body that bounces off the ground is one event.
      A run ends at each event with the action ODE_STOP. An event with stop_after > 0 is different: whatever its action
      is, it ends the run only when it has happened stop_after times, twice as many times, and so on. The t_end of such a
      run may be infinite. Set h_max in this case if the solution is so smooth that the steps would grow without end.
@@ -587,14 +588,15 @@ enum {
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* success, but during this call stability, not the tolerance, came to limit the step size;
                             later calls return ODE_OK, and s->stiff remains 1 */
-    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state, rtol, atol or h0 is
-       not finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component has no
-       tolerance, an element of atol_each is negative, h_min is negative or above h_max, or an event has no g, a
+    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state (not in rk4), rtol,
+       atol or h0 is not finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component
+       has no tolerance, an element of atol_each is negative, h_min is negative or above h_max, or an event has no g, a
        negative room or a negative stop_after. Or a time of output is outside the last step, or the listed times are not
        in order. Or a saved run does not fit, or the init function of another method made the rk45. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
-    ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
+    ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step (rk4: in a step), or an event
+                             function is NaN */
     /* The errors of two steps of the smallest size (h_min, or the resolution of t) were above the tolerance, and fewer
        than three steps lay between these two steps. Then f is singular there, or too stiff for the resolution of t. A
        run also ends with this status if h_max is less than the resolution of t, or if t_end is infinite and t reaches
@@ -751,10 +753,10 @@ VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_rea
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the
-   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are the state and
-   the time at the end of the last complete step. Returns the same statuses as rk4_step, and ODE_BAD_ARGUMENT also if
-   `steps` is not positive. */
+/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the state
+   at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are the state and the
+   time at the end of the last complete step. Returns the same statuses as rk4_step, and ODE_BAD_ARGUMENT also if
+   `steps` is not positive or t_end - *t overflows. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {
@@ -832,6 +834,7 @@ typedef struct VM_TAG(ode_event) {
     /* The fields from here on are internal. */
     int side;       /* sign of g at the present time of the run, 0 while it is uncertain */
     int side_ahead; /* sign of g at the end of the step, if no event ends the step earlier */
+    vm_real slack_ahead, quiet_ahead; /* slack and quiet at the end of the step, if no event ends the step earlier */
     int happens;    /* nonzero if this event happens at the end of the step */
     vm_real from;   /* g has been evaluated up to this fraction of the step */
     vm_real slack;  /* after the event, the sign of g is uncertain while |g| <= slack */
@@ -844,6 +847,7 @@ typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
     vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
     vm_real h0;               /* size of the first step, 0: computed from f. Its sign is the direction of rk45_step. */
+    /* Where t has few digits left, rounding may make a step longer than h_max or shorter than h_min by 1/64 (TIME). */
     vm_real h_min;            /* size of the shortest step, except at t_end and events; default: the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
     long max_steps;           /* steps that a call of rk45_solve may try; default 1000000, negative means no limit */
@@ -859,7 +863,8 @@ typedef struct VM_TAG(rk45_options) {
 #define VMI_DEFAULT_RTOL VM_C(1e-4)
 #endif
 
-/* Returns the options with each zero replaced by its default, and with rtol raised to at least least_rtol. */
+/* Returns the options with each zero replaced by its default, a positive rtol raised to at least least_rtol, and a
+   negative rtol or atol replaced by 0. */
 VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};
@@ -1004,8 +1009,8 @@ typedef struct VM_TAG(vmi_rk_stepper) {
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
        Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
     int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
-    /* Returns the largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error
-       or the new state is not finite. */
+    /* Returns the largest ratio of the error of a component to its tolerance in a step of size h, at most VMI_WORST, or
+       NaN if the error or the new state is not finite. */
     vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
 } vmi_rk_stepper;
 
@@ -1101,7 +1106,7 @@ typedef struct VM_TAG(rk45) {
     long attempts;         /* number of steps that may still be tried; negative means no limit */
     int k1;                /* where k_1 of the next step is: VMI_K1_MISSING, VMI_K1_READY or VMI_K1_IS_LAST */
     int extended;          /* nonzero if the continuous extension of the last step is ready */
-    int failure;           /* result of the last attempt: VMI_NONE_FAILED, VMI_REJECTED or VMI_NOT_FINITE */
+    int failed;            /* 1 if the last attempt to make a step failed, else 0 */
     long next_miss;        /* value of `steps` from which on a step of the smallest size may miss the tolerance again */
     int stiff_wait;        /* number of steps until the next test of stiffness */
     int stiff_hits;        /* number of tests that found stiffness since VMI_STIFF_MISSES tests in a row found none */
@@ -1109,7 +1114,6 @@ typedef struct VM_TAG(rk45) {
 } rk45;
 
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the last k of the step before */
-enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
 /* Returns the part of work with the index `part`, such as VMI_Y: an array of n numbers. */
@@ -1138,7 +1142,7 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
     s->event = -1;
     s->k1 = VMI_K1_MISSING;
     s->extended = 0;
-    s->failure = VMI_NONE_FAILED;
+    s->failed = 0;
     s->stiff = 0;
     s->stiff_wait = VMI_STIFF_WAIT;
     s->stiff_hits = 0;
@@ -1153,6 +1157,8 @@ VM_API void vmi_init_event(ode_event *e, vm_real t0)
     e->t = t0;
     e->side = 0;
     e->side_ahead = 0;
+    e->slack_ahead = 0;
+    e->quiet_ahead = 0;
     e->happens = 0;
     e->from = 0;
     e->slack = 0;
@@ -1164,6 +1170,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
                        const rk45_options *options_or_NULL, vm_real *work)
 {
     const rk45_options o = vmi_defaults(vmi_least_rtol(pair), options_or_NULL);
+    const int is_raised = options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol;
     int i;
     if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
         !vmi_options_are_valid(&o, n))
@@ -1177,8 +1184,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     s->attempts = o.max_steps;
     vmi_copy(n, y0, s->y);
     for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* then all bytes of a saved run are defined */
-    if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
-    return ODE_OK;
+    return is_raised ? (int)ODE_RTOL_RAISED : (int)ODE_OK;
 }
 
 /* Computes the state y = y_old + h (b[0] k_1 + b[1] k_2 + ...) at the fraction x of the last step; the sum in brackets
@@ -1343,11 +1349,10 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 /* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
-#define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
 #else
 typedef int32_t vmi_signed_bits;
-#define VMI_BITS_OF_1 ((vmi_signed_bits)127 << 23)
 #endif
+#define VMI_BITS_OF_1 ((vmi_signed_bits)VMI_BIAS << VMI_STORED_DIG)
 
 #endif
 /* integrators/steps.h - steps of an adaptive run and the control of their size
@@ -1396,8 +1401,10 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 
 /* Chooses the size s->h of the first step from the magnitudes of y, y' and y'' (Hairer et al. [2, II.4]). The aim is an
    error of this step of 1 % of the tolerance. |s->h| is at most `longest`, and at most 100 times the size of a step
-   that changes y by 1 % (at most 1e-4 if y or y' is below 1e-5 of the tolerance). `direction`, 1 or -1, is the sign of
-   s->h. The function overwrites k_2 and the part VMI_Z of work. Returns a status. */
+   that changes y by 1 % (at most 1e-4 if y or y' is below 1e-5 of the tolerance). A ratio of y, y' or y'' to the
+   tolerance counts as at most VMI_LARGEST_RATIO; if y' is larger, the first step may be too long and be rejected.
+   `direction`, 1 or -1, is the sign of s->h. The function overwrites k_2 and the part VMI_Z of work. Returns a status.
+   */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -1471,7 +1478,7 @@ typedef struct VM_TAG(vmi_progress) {
     long steps, rejected, missed;   /* numbers of steps since vmi_advance was called */
     long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
     long attempts;                  /* number of steps that may still be tried; negative means no limit */
-    int k1, failure, stiff_wait;    /* the fields of rk45 with these names */
+    int k1, failed, stiff_wait;     /* the fields of rk45 with these names */
     int stopped;                    /* number that f returned last; if it is not 0, the run stops */
 } vmi_progress;
 
@@ -1495,7 +1502,7 @@ VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
     p.next_miss = s->next_miss - s->steps;
     p.attempts = s->attempts;
     p.k1 = VMI_K1_READY;
-    p.failure = s->failure;
+    p.failed = s->failed;
     p.stiff_wait = s->stiff_wait;
     p.stopped = 0;
     return p;
@@ -1514,10 +1521,10 @@ VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
     s->next_miss = vmi_count(s->steps, p->next_miss);
     s->steps = vmi_count(s->steps, p->steps);
     s->rejected = vmi_count(s->rejected, p->rejected);
-    s->missed += p->missed;
+    s->missed = vmi_count(s->missed, p->missed);
     s->attempts = p->attempts;
     s->k1 = p->k1;
-    s->failure = p->failure;
+    s->failed = p->failed;
     s->stiff_wait = p->stiff_wait;
     s->rhs_status = p->stopped;
     s->extended = 0;
@@ -1585,13 +1592,12 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 
 /* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
    a shorter step can be tried. Otherwise returns the status with which the run ends. If the run ends and the last
-   accepted step missed the tolerance, that step is undone. */
+   accepted step missed the tolerance and was made in this call of vmi_advance, that step is undone. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
     p->rejected++;
-    p->failure = VMI_REJECTED;
-    if (not_a_number) p->failure = VMI_NOT_FINITE;
+    p->failed = 1;
     p->h_next = trial->h * vmi_shrink(order, error);
     if (!trial->shortest) return ODE_OK;
     if (p->missed > 0 && p->steps == p->next_miss - VMI_BETWEEN_MISSES) vmi_drop_missed_step(sys, p);
@@ -1631,9 +1637,9 @@ VM_INLINE int vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
-    if (!(error < keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
+    if (!(error < keep_from || error > VMI_KEEP_TO || p->failed || trial->last)) return;
     factor = vmi_factor(order, error, p->inverse_error);
-    if (p->failure && factor > 1) factor = 1;
+    if (p->failed && factor > 1) factor = 1;
     if (!trial->last) {
         p->h_next = trial->h * factor;
     } else { /* a step may be short only because it ends at t_end; the next step need not be short */
@@ -1694,7 +1700,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
         p.t = trial.t_new;
         p.t_low = trial.t_new_low;
         p.h_done = trial.h;
-        p.failure = VMI_NONE_FAILED;
+        p.failed = 0;
         p.k1 = VMI_K1_IS_LAST;
         p.stiff_wait--;
         if (p.stiff_wait <= 0 || single || trial.last) break;
@@ -2027,6 +2033,8 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
             status = vmi_follow_event(s, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
             if (status) return status;
             e->side_ahead = look.side;
+            e->slack_ahead = look.slack;
+            e->quiet_ahead = look.quiet;
             if (pass == 0 && !(at < *cut)) continue;
             if (pass > 0 && !(at < *cut - VMI_FIRST_LOOK)) continue;
             *cut = at;
@@ -2106,7 +2114,7 @@ VM_API int vmi_shorten_step(rk45 *s)
 {
     s->h = s->h_done / 4;
     s->rejected = vmi_count(s->rejected, 1);
-    s->failure = VMI_NOT_FINITE;
+    s->failed = 1;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
 
@@ -2123,7 +2131,7 @@ VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
     return status;
 }
 
-/* Sets the side of each event to the sign of its g at the end of the step, if no event has ended the step earlier */
+/* Sets side, slack and quiet of each event to those at the end of the step, if no event has ended the step earlier */
 VM_API void vmi_pass_on_sides(rk45 *s)
 {
     int i;
@@ -2132,7 +2140,8 @@ VM_API void vmi_pass_on_sides(rk45 *s)
         e->happens = 0;
         if (!vmi_ends_step(e)) continue;
         e->side = e->side_ahead;
-        e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
+        e->slack = e->slack_ahead;
+        e->quiet = e->quiet_ahead;
     }
 }
 
@@ -2263,18 +2272,18 @@ VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
     s->t_old_low = s->t_low;
     if (y != s->y) vmi_copy(s->n, y, s->y);
     s->k1 = VMI_K1_MISSING;
-    s->failure = VMI_NONE_FAILED;
+    s->failed = 0;
     s->next_miss = s->steps;
     return ODE_OK;
 }
 
 /* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless k_1 is known. Gives the step size s->h the sign
-   of the direction to t_end, and makes it at least as long as the shortest step. Returns a status. */
+   of the direction to t_end. Returns a status. */
 VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
 {
     const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
     const vm_real direction = vmi_direction(s, t_end);
-    vm_real *k1 = vmi_part(s, VMI_K), least;
+    vm_real *k1 = vmi_part(s, VMI_K);
     int status = ODE_OK;
     s->t_old = s->t; /* the k of the step before this one are overwritten, even if an error follows */
     s->t_old_low = s->t_low;
@@ -2289,8 +2298,7 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
     s->k1 = VMI_K1_READY;
     if (s->h == 0) status = vmi_first_step(s, direction, longest);
     if (status) return status;
-    least = vmi_least_step(&s->options, s->t);
-    s->h = direction * VMI_LARGER(VM_FABS(s->h), least);
+    s->h = direction * VM_FABS(s->h);
     return ODE_OK;
 }
 
@@ -2298,21 +2306,24 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
    number of such tests is set to 0 when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
 enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
 
-/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
-   h dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f. */
+/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by h
+   dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f, if the
+   components of y are of similar magnitude; otherwise it may be larger. The test is made only if the two states differ
+   by more than 1/1000 of the tolerance, because otherwise dk and dz may be rounding errors. */
 VM_API void vmi_look_for_stiffness(rk45 *s)
 {
     const int last = vmi_last_k(&s->pair), count = last - VMI_K;
     vm_real dk = 0, dz = 0;
-    int i, j;
+    int i, j, differ = 0;
     for (i = 0; i < s->n; i++) {
         const vm_real difference = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]);
         vm_real sum = 0;
         dk = VMI_LARGER(dk, difference);
         for (j = 0; j < count; j++) sum += s->pair.end_difference(j) * vmi_part(s, VMI_K + j)[i];
         dz = VMI_LARGER(dz, VM_FABS(sum));
+        if (VM_FABS(s->h_done * sum) > VM_C(1e-3) * vmi_tolerance(&s->options, i, s->y[i])) differ = 1;
     }
-    if (dk > s->pair.stiff_beyond * dz) {
+    if (differ && dk > s->pair.stiff_beyond * dz) {
         s->stiff_misses = 0;
         if (s->stiff_hits < VMI_STIFF_HITS) s->stiff_hits++;
         if (s->stiff_hits == VMI_STIFF_HITS) s->stiff = 1;
@@ -2355,7 +2366,7 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
         if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, stepper, sys, t_end, apart);
         else status = vmi_advance(s, stepper, sys, t_end, apart);
         if (status == ODE_OK) status = vmi_after_step(s);
-        if (single && s->failure == VMI_NONE_FAILED) break;
+        if (single && s->failed == 0) break;
     }
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }
@@ -2451,8 +2462,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* Returns the largest ratio of the error of a component to its tolerance. The error is the difference of the two new
-   states, of order 5 and of order 4. */
+/* Returns the largest ratio of the error of a component to its tolerance, at most VMI_WORST, or NaN if the error or the
+   new state is not finite. The error is the difference of the two new states, of order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2733,8 +2744,9 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* Returns the largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
-   difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
+/* Returns the largest ratio of the error of a component to its tolerance, at most VMI_WORST, or NaN if the error or the
+   new state is not finite. The error is the larger of two numbers: the difference of the new states of orders 8 and 7,
+   and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -2827,6 +2839,7 @@ VM_API int vmi_rk87_extend(rk45 *s)
     int i, j, stage, status = ODE_OK;
     if (!vmi_all_finite(s->n, last_k)) status = vmi_eval(s, s->t, s->y, last_k);
     if (status) return status;
+    if (!vmi_all_finite(s->n, last_k)) return ODE_NOT_FINITE;
     for (stage = 0; stage < VMI_RK87_EXTRA; stage++) {
         vm_real *k = vmi_part(s, VMI_K + VMI_RK87_OWN + stage);
         for (i = 0; i < s->n; i++) {
@@ -3050,10 +3063,15 @@ VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int directi
     return ODE_OK;
 }
 
-/* Does the work of rk45_solve_at for the pair whose number is `method`. The function `run` makes one step by this
+/* Make one step by rk45 or rk87. These two functions are not inlined, because gcc -O1 refuses to inline a function that
+   is called by a pointer. */
+VMI_APART int vmi_rk45_step_to(rk45 *s, vm_real t_end) { return vmi_rk45_run(s, s->f, s->n, t_end, 1); }
+VMI_APART int vmi_rk87_step_to(rk45 *s, vm_real t_end) { return vmi_rk87_run(s, s->f, s->n, t_end, 1); }
+
+/* Does the work of rk45_solve_at for the pair whose number is `method`. The function `step` makes one step by this
    pair. */
-VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int n, vm_real t_end, int single),
-                        int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+VM_API int vmi_solve_at(rk45 *s, int method, int (*step)(rk45 *s, vm_real t_end), int n_times, const vm_real *times,
+                        vm_real *rows, int *n_done_or_NULL)
 {
     int direction = 1, done = 0, status = ODE_OK, was_stiff;
     if (!s || s->pair.method != method || n_times < 0) return ODE_BAD_ARGUMENT;
@@ -3067,7 +3085,7 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
         const int filled = vmi_fill_rows(s, n_times, times, direction, rows, &done);
         if (filled) status = filled;
         if (done == n_times || (status != ODE_OK && status != ODE_STIFF)) break;
-        status = run(s, s->f, s->n, times[n_times - 1], 1);
+        status = step(s, times[n_times - 1]);
     }
     if (n_done_or_NULL) *n_done_or_NULL = done;
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
@@ -3082,15 +3100,15 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
    are not finite or neither rise nor fall in this way. */
 VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
-    return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
+    return vmi_solve_at(s, VMI_RK45, vmi_rk45_step_to, n_times, times, rows, n_done_or_NULL);
 }
 
 /* Continues a run of rk87 to the last of n_times times and writes the state at each of them to a row of n numbers.
-   All else is as in rk45_solve_at. A step with listed times takes seven more evaluations of f, which may also end the
-   run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
+   All else is as in rk45_solve_at. A step with listed times before its end takes seven more evaluations of f, which may
+   also end the run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
 VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
-    return vmi_solve_at(s, VMI_RK87, vmi_rk87_run, n_times, times, rows, n_done_or_NULL);
+    return vmi_solve_at(s, VMI_RK87, vmi_rk87_step_to, n_times, times, rows, n_done_or_NULL);
 }
 
 #endif
@@ -3245,7 +3263,7 @@ VM_API void vmi_saved_move_run(vmi_saved_place *p, rk45 *s)
     vmi_saved_int(p, &s->event);
     vmi_saved_int(p, &s->k1);
     vmi_saved_int(p, &s->extended);
-    vmi_saved_int(p, &s->failure);
+    vmi_saved_int(p, &s->failed);
     vmi_saved_int(p, &s->stiff);
     vmi_saved_int(p, &s->stiff_wait);
     vmi_saved_int(p, &s->stiff_hits);
@@ -3343,8 +3361,8 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
 
 /* Saves a run of rk45 between two calls as bytes. The array `bytes` has `size` elements, at least RK45_SAVED(n, number
    of events). The arrays `times` and `states` of events, ctx and the options are not saved, because they belong to the
-   caller. A call takes as long as a copy of the bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null pointer, a negative
-   size or a run by rk87; ODE_WORK_TOO_SMALL if `size` is too small. */
+   caller. The time of a call is proportional to the number of bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null
+   pointer, a negative size or a run by rk87; ODE_WORK_TOO_SMALL if `size` is too small. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
 /* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the

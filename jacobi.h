@@ -45,11 +45,11 @@
 
    ERRORS
      These arguments give NaN: m > 1, or m1 < 0 in functions that take m1 = 1 - m (jacobi_sncndn_any and the incomplete
-     integrals allow both); c < 0 in the functions jacobi_solve_...; NaN; and infinite numbers, with two exceptions. The
-     first exception: jacobi_K, jacobi_E, jacobi_D, jacobi_Pi, the incomplete integrals, the inverses of sn and cn, and
-     Carlson's integrals return the limit at an infinite argument, and NaN where there is no limit. The second: m = 1
-     gives the limits, for u = +-infinity too: K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u. But
-     jacobi_agm_sncndn gives NaN for m = 1.
+     integrals allow both); c < 0 in the functions jacobi_solve_...; arguments outside the domain that the comment of a
+     function gives; NaN; and infinite numbers, with two exceptions. The first exception: jacobi_K, jacobi_E, jacobi_D,
+     jacobi_Pi, the incomplete integrals, the inverses of sn and cn, and Carlson's integrals return the limit at an
+     infinite argument, and NaN where there is no limit. The second: m = 1 gives the limits, for u = +-infinity too: K
+     is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u. But jacobi_agm_sncndn gives NaN for m = 1.
      A quotient such as sn/cn is infinite at its poles, where the denominator is 0. For m > 1 and for an infinite or NaN
      m, jacobi_plan_init returns -1 and leaves the plan as it was. No other error is possible. The functions allocate no
      memory and keep no state; errno says nothing about their errors.
@@ -115,7 +115,8 @@
                   for n > 1
      inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp; R_G <= 10 ulp; the comment of jacobi_RJ has the bound of
                   R_J
-     m > 1        the bounds of sn, cn, dn hold with k u in place of u (see jacobi_sncndn_any)
+     m > 1        the absolute bounds of sn, cn, dn hold with k u in place of u; the comment of jacobi_sncndn_any has
+                  the relative bound
      solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of the argument c of
                   jacobi_solve_... makes
 
@@ -123,7 +124,8 @@
      docs/cost.md has the times of the functions that are used most, docs/peers.md those of the incomplete integrals and
      of R_F and R_J, docs/counts.md the number of instructions of a call of many functions. A jacobi_plan has 312
      [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the name in brackets is that of the row of
-     docs/numbers.md with this number. The largest stack frame is about 1 kB.
+     docs/numbers.md with this number. The largest stack frame is about 1 kB; that of jacobi_plan_sncndn_array has up to
+     3 kB where the compiler vectorises its loop for wide registers.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.
@@ -613,11 +615,10 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 /* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
-#define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
 #else
 typedef int32_t vmi_signed_bits;
-#define VMI_BITS_OF_1 ((vmi_signed_bits)127 << 23)
 #endif
+#define VMI_BITS_OF_1 ((vmi_signed_bits)VMI_BIAS << VMI_STORED_DIG)
 
 #endif
 /* base/words.h - products, quotients and roots with two and three times the digits
@@ -1085,7 +1086,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     const int steep = y > x;
     const vm_real low = vmi_smaller(x, y), high = vmi_larger(y, x);
     const int middle = low > VM_C(0.4142135623730950488) * high;
-    const vm_real z = middle ? (low - high) / (low + high) : low / high, t = z * z, tt = t * t;
+    const vm_real half = high > VM_MAX / 2 ? VM_C(0.5) : VM_C(1.0); /* keeps the sum of low and high from overflowing */
+    const vm_real z = middle ? half * (low - high) / (half * low + half * high) : low / high, t = z * z, tt = t * t;
     vm_real angle;
 #if VM_MANT_DIG > 24
     const vm_real A01 = VM_C(-0.333333333333301951) + t * VM_C(0.199999999990984639);
@@ -1151,6 +1153,19 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
+/* Turns a point of the unit circle, with the sine s and the cosine c, by `quarter` quarters of a turn, 0 to 3. */
+VM_API void vmi_turn_quarters(int quarter, vm_real s, vm_real c, vm_real *sine, vm_real *cosine)
+{
+    *sine = s;
+    *cosine = c;
+    if (quarter & 1) {
+        *sine = c;
+        *cosine = s;
+    }
+    if (quarter & 2) *sine = -*sine;
+    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+}
+
 /* Computes the sine and the cosine of any angle x in radians. The function first subtracts from |x| the nearest
    multiple of pi/2, computed with pi/2 in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
@@ -1160,14 +1175,7 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     vmi_sin_cos(vmi_reduce(VM_FABS(x), vmi_two(half_pi.hi, half_pi.mid), &quarter), &s, &c);
     if (!VM_IS_FINITE(x)) s = c = VM_NAN;
-    *sine = s;
-    *cosine = c;
-    if (quarter & 1) {
-        *sine = c;
-        *cosine = s;
-    }
-    if (quarter & 2) *sine = -*sine;
-    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+    vmi_turn_quarters(quarter, s, c, sine, cosine);
     if (x < 0) *sine = -*sine;
 }
 
@@ -1198,7 +1206,7 @@ VM_API vm_real vmi_atan2(vm_real y, vm_real x)
 /* Returns 1 if m1 = 1 - m is negative, infinite or NaN, so that no elliptic function has this parameter, else 0. */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
-/* The largest number of pairs a_n, b_n in a vmi_ladder. The smallest m1 > 0, 5e-324, needs 13 pairs. */
+/* The largest number of pairs a_n, b_n in a vmi_ladder. m = -1.8e308 needs most pairs, 13. */
 #define VMI_LADDER 16
 
 /* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from these numbers,
@@ -1206,7 +1214,6 @@ VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 typedef struct VM_TAG(vmi_ladder) {
     int n;                                /* index of the last pair a_n, b_n */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2, where n is the field n */
 } vmi_ladder;
 
 /* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps, but at least one. If the number of steps allows,
@@ -1216,16 +1223,17 @@ typedef struct VM_TAG(vmi_ladder) {
    for |a_n u| <= pi/4. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
+    vm_real c; /* c_n = (a_(n-1) - b_(n-1))/2 */
     int n = 0;
     l->a[0] = 1;
     l->b[0] = b0;
     do {
         vm_real a = l->a[n], b = l->b[n];
-        l->c = (a - b) / 2;
+        c = (a - b) / 2;
         n++;
         l->a[n] = (a + b) / 2;
         l->b[n] = VM_SQRT(a * b);
-    } while (4 * l->c * l->c > VM_EPSILON * l->a[n] * l->a[n] && n < steps && n < VMI_LADDER - 1);
+    } while (4 * c * c > VM_EPSILON * l->a[n] * l->a[n] && n < steps && n < VMI_LADDER - 1);
     l->n = n;
 }
 
@@ -3186,14 +3194,7 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     z.lo += rest * half_pi.mid;
     vmi_sin_cos(z, &s, &c);
-    *sine = s;
-    *cosine = c;
-    if (quarter & 1) {
-        *sine = c;
-        *cosine = s;
-    }
-    if (quarter & 2) *sine = -*sine;
-    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+    vmi_turn_quarters(quarter, s, c, sine, cosine);
 }
 
 /* The numbers from which vmi_doubled_at computes theta_4(z + i zy), up to a real factor, which does not matter: only
@@ -3522,7 +3523,7 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
     vm_real factor = 1;
     if (y < 0) {
-        factor = VM_SQRT(x / (x - y));
+        factor = VM_SQRT(x) / VM_SQRT(x - y);
         x -= y;
         y = -y;
     }
@@ -3700,6 +3701,7 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     if (!(x >= 0) || y != y) return VM_NAN;
     if (y == 0 || !VM_IS_FINITE(largest)) return vmi_carlson_limit(y == 0, !VM_IS_FINITE(largest));
     by = vmi_carlson_scale_of(largest);
+    if (y < 0 && vmi_carlson_is_lost(by, x)) return -VM_SQRT(x) / y; /* the limit for a small x */
     if (!vmi_carlson_is_lost(by, VM_FABS(y))) return by.root * vmi_rc(by.factor * x, by.factor * y);
     return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* R_C does not depend on the sign of a y this small */
 }
@@ -3726,11 +3728,12 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
    is 0. R_J is computed from R_J(x, y, z, other), where `other` is a positive number (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
-    const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
+    const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), share = x * (y / other) + q;
     vm_real rf, rj, rest;
     rf = vmi_rf_rj(x, y, z, other, &rj);
     rest = 3 * ((other - z) * rj - rf);
-    return (rest + 3 * VM_SQRT(x * y * z / product / other) * vmi_rc(product / other, q)) / (z + q);
+    rest += 3 * VM_SQRT(x / other) * VM_SQRT(y / other) * VM_SQRT(z / share) * vmi_rc(share, q);
+    return rest / (z + q);
 }
 
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. R_J does not change if x, y and z are
@@ -3748,6 +3751,7 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     if (!vmi_carlson_allowed(x, y, z) || p != p) return VM_NAN;
     if (zeros && !infinite && p < 0) return -VM_INFINITY;
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    if (-p * VM_EPSILON * VM_EPSILON > top) return 3 * jacobi_RF(x, y, z) / p; /* the limit for a large |p| */
     by = vmi_carlson_scale_of(largest);
     if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
     if (vmi_carlson_is_lost(by, VM_FABS(p))) return VM_NAN;
@@ -4061,7 +4065,7 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 }
 
 /* F(phi | m), the incomplete elliptic integral of the first kind. F is the inverse of the amplitude. F is odd in phi,
-   and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 F is
+   and for m <= 1, F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 F is
    phi for infinite phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 F is infinite for |phi| > pi/2.
    For m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/peers.md has the time of a call.
    DLMF 19.2.4, 19.25.5. */
@@ -4111,10 +4115,10 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return vmi_with_turns(angle.turns, vmi_E(m1, m1_lo), part);
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1 E(phi + pi) = E(phi)
-   + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for infinite phi. For m =
-   -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where m sin^2 phi > 1, for |phi|
-   > pi/2, and for infinite m. docs/peers.md has the time of a call. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1, E(phi + pi) =
+   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for infinite phi. For m
+   = -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where m sin^2 phi > 1, for
+   |phi| > pi/2, and for infinite m. docs/peers.md has the time of a call. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -4176,8 +4180,8 @@ VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
    Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
-/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi D(phi | m) is 2
-   D(m) - D(pi - phi | m), but this difference would triple the errors. Therefore the function adds the result of
+/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, D(phi | m) is 2 D(m) -
+   D(pi - phi | m), but this difference would triple the errors. Therefore the function adds the result of
    vmi_D_complement to D(m) there. */
 VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 {
@@ -4201,7 +4205,7 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 }
 
 /* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits are lost,
-   not even for m = 0. D is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
+   not even for m = 0. D is odd in phi, and for m <= 1, D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
    |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. For m <= 1 D is phi for infinite
    phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN
    where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF
@@ -4325,8 +4329,8 @@ VM_API vm_real vmi_Pi_complement(vm_two s, vm_two c, vm_real n, vm_real m1, vm_r
     return lift * (vmi_times_sum(c, vmi_two(rf, 0), third) / (1 - n));
 }
 
-/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi Pi(n; phi | m) is 2
-   Pi(n | m) - Pi(n; pi - phi | m), but this difference usually triples the errors. Therefore, for n < 1, the function
+/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, Pi(n; phi | m) is
+   2 Pi(n | m) - Pi(n; pi - phi | m), but this difference usually triples the errors. Therefore, for n < 1, the function
    adds the result of vmi_Pi_complement to Pi(n | m) there, if vmi_Pi_complement reports that this sum is more exact. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, vm_real m1_lo)
 {
@@ -4354,7 +4358,7 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
 }
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
-   phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
+   phi, and for m <= 1, Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1; if rounding makes n sin^2 phi equal to 1, Pi is infinite.
    Beyond the first pole Pi is Cauchy's principal value. For n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the
    effect of changing n by 4 ulp. For a finite phi, Pi is 0 for infinite n and a finite m < 1, and for m = -infinity and
@@ -4373,6 +4377,24 @@ VM_API vm_real jacobi_Pi_incomplete(vm_real phi, vm_real n, vm_real m)
 VM_API vm_real jacobi_Pi_incomplete_m1(vm_real phi, vm_real n, vm_real m1)
 {
     return vmi_Pi_incomplete(phi, n, 1 - m1, m1, 0);
+}
+
+#endif
+/* base/hypot.h - the length of a vector in the plane
+
+   Tests: tests/test_jumps.c, tests/test_laws.c. */
+#ifndef VARMASS_BASE_HYPOT_H
+#define VARMASS_BASE_HYPOT_H
+
+/* Returns the length sqrt(x^2 + y^2), also where the squares overflow or underflow, and NaN if x or y is NaN. */
+VM_API vm_real vmi_hypot(vm_real x, vm_real y)
+{
+    const vm_real a = VM_FABS(x), b = VM_FABS(y), most = vmi_larger(a, b), least = vmi_smaller(b, a);
+    vm_real q = 0;
+    if (x != x || y != y) return VM_NAN;
+    if (most > VM_MAX) return most;
+    if (most > 0) q = least / most;
+    return most * VM_SQRT(1 + q * q);
 }
 
 #endif
@@ -4413,6 +4435,13 @@ VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m)
    digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1, 0); }
 
+/* Returns ln(4/(x + root)), the limit of u for tiny numbers x = dn u and root = |cn u|, or the reverse, where m is 1 or
+   next to it. */
+VM_API vm_real vmi_inverse_next_to_1(vm_real x, vm_real root)
+{
+    return VM_C(1.386294361119890572454) - vmi_log(x + root).hi;
+}
+
 /* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x >= 0 the inverse is at most K. For
    x < 0 it is 2 K minus the inverse at |x|. */
 VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
@@ -4423,7 +4452,8 @@ VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
     if (!VM_IS_FINITE(m1)) return 0;
     if (m1 == 0 && x < 0) return VM_NAN;
     if (x == 0) return vmi_K(m1, m1_lo);
-    u = VM_SQRT(ss) * vmi_rf(cc, cc + m1 * ss, 1);
+    if (cc + m1 < VM_MIN / VM_EPSILON) u = vmi_inverse_next_to_1(VM_FABS(x), vmi_hypot(x, VM_SQRT(m1)));
+    else u = VM_SQRT(ss) * vmi_rf(cc, cc + m1 * ss, 1);
     if (x < 0) return 2 * vmi_K(m1, m1_lo) - u;
     return u;
 }
@@ -4442,6 +4472,19 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
    digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
+/* Returns the inverse of dn for a tiny x, whose square may underflow; then m1 <= x^2 is tiny, too. |cn u| is the root
+   of x^2 - m1, which is computed with x and m1 multiplied by large powers of 4. */
+VM_API vm_real vmi_inverse_dn_next_to_1(vm_real x, vm_real m1, vm_real m1_lo)
+{
+    const vm_real lift = VMI_RJ_LIFT;
+    const vm_two lifted = vmi_two_product(lift * x, lift * x);
+    const vm_real rest = (lifted.hi - lift * lift * m1) + lifted.lo;
+    if (x == 0) return VM_INFINITY;
+    if (m1 == 0) return vmi_inverse_next_to_1(x, x);
+    if (!(rest > 0)) return vmi_K(m1, m1_lo);
+    return vmi_inverse_next_to_1(x, VM_SQRT(rest) / lift);
+}
+
 /* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, s^2 is
    (1 - x^2)/m, and c^2 is (x^2 - m1)/m. The difference x^2 - m1 is computed from the exact square of x. If x is the
    rounded value of k', the computed c^2 may be negative, and s^2 above 1; then c is 0, and the inverse is K. */
@@ -4452,6 +4495,7 @@ VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
     vm_real ss, cc;
     if (!(x >= vmi_smaller(bound, 1) && x <= vmi_larger(bound, 1)) || !(m1 >= 0)) return VM_NAN;
     if (x == 1) return 0;
+    if (square.hi < VM_MIN / VM_EPSILON) return vmi_inverse_dn_next_to_1(x, m1, m1_lo);
     cc = ((square.hi - m1) + (square.lo - m1_lo)) / m;
     if (!(cc > 0)) return vmi_K(m1, m1_lo);
     ss = vmi_smaller((1 - x) * (1 + x) / m, 1);
@@ -4496,11 +4540,13 @@ VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
 /* sn, cn and dn of the argument u for any finite parameter m. For m <= 1 the results are those of jacobi_sncndn. For
    m > 1 they are
      sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
-   For m > 1 the error is at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
-   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. For m > 1 the product k u is computed in two words. Its second word,
+   For m > 1 the error is at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4). For |u| <= 100 K(1/m)/k it is at
+   most 8 ulp plus the change that the error of k u, a number in two words, makes; this change matters only next to a
+   zero of sn or dn. Returns NaN for infinite m. For m > 1 the product k u is computed in two words. Its second word,
    the variable h, changes sn, cn and dn a little; two terms of their Taylor series in h add this change. */
 VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
+    const vm_real scale = m > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* keeps the quotient m1 from overflowing */
     vm_two k, phase, m1;
     vm_real s, c, d, h;
     if (!(m > 1) || !VM_IS_FINITE(m) || !VM_IS_FINITE(u)) {
@@ -4508,11 +4554,16 @@ VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm
         return;
     }
     k = vmi_root(m, 0);
-    m1 = vmi_two_over(vmi_two_sum(m, -1), vmi_two(m, 0));
+    if (VM_FABS(u) > 20 / VM_EPSILON / k.hi) { /* k u is above K/eps for every m > 1 */
+        *sn = 0 * u;
+        *cn = *dn = 1;
+        return;
+    }
+    m1 = vmi_two_over(vmi_two_sum(m * scale, -scale), vmi_two(m * scale, 0));
     phase = vmi_two_scaled(k, u);
     vmi_sncndn(phase.hi, m1.hi, m1.lo, &s, &c, &d);
-    h = phase.lo;
-    *sn = (s + h * (c * d - h / 2 * s * (d * d + c * c / m))) / k.hi;
+    h = VM_FABS(phase.hi) < 1 / VM_EPSILON ? phase.lo : 0;
+    *sn = vmi_clamp(s + h * (c * d - h / 2 * s * (d * d + c * c / m)), -1, 1) / k.hi;
     *cn = vmi_clamp(d - h / m * (s * c + h / 2 * d * (c * c - s * s)), 0, 1);
     *dn = vmi_clamp(c - h * (s * d + h / 2 * c * (d * d - s * s / m)), -1, 1);
 }

@@ -88,8 +88,9 @@
      Jumps        conserve momentum with an error of at most 3 eps times the sum of all M |v|. They conserve angular
                   momentum about any point with an error of at most 6 eps times the sum of all tr(I) |omega| + M (|r| +
                   |r - point|) |v|. M, v, r, omega and I are mass, velocity, position, angular velocity and inertia
-                  tensor of a body, and tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
-                  the body, omega of the rest does not change.
+                  tensor of a body, and tr(I) is the sum of the diagonal of I. (The bound is larger if a moment of
+                  inertia had to be corrected; see vm_separate.) If a part goes on moving as it did on the body, omega
+                  of the rest does not change.
      Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
                   5 eps, if the inputs are taken as exact.
      Streams      the solutions in closed form are right within a few eps. A body together with all mass that has left
@@ -128,7 +129,7 @@
        vm_scale                       The multiple c a of a vector, for a number c
        vm_dot                         The dot product a.x b.x + a.y b.y + a.z b.z of two vectors
        vm_cross                       The cross product a x b of two vectors, by the right-hand rule
-       vm_norm                        The length of the vector a, within 4 eps of itself
+       vm_norm                        The length of the vector a, within 4 eps of itself if it is a normal number
        vm_quat_times                  The product p q of two quaternions
        vm_unit_quat                   The quaternion of length 1 for the same rotation as q
 
@@ -160,7 +161,7 @@
        vm_kinetic_energy              Kinetic energy of a body (93), (97), J
        vm_balance_between             Balance of momentum, angular momentum and energy before and after a jump
 
-     mechanics/bodies2: angular momentum and energy of bodies in the plane, and their conversion to bodies in space In
+     mechanics/bodies2: angular momentum and energy of bodies in the plane, and their conversion to bodies in space  In
        vm_angular_momentum2           Angular momentum of a body that moves in the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body that moves in the plane, J
        vm_body_from_body2             Converts a body that moves in the plane to a body in space
@@ -618,6 +619,7 @@ VMI_QUIET_BEGIN
        an inertia that no body can have                                  VM_BAD_INERTIA
        an exponent or another parameter outside its domain               VM_DOMAIN
 
+   Mass and inertia of a body that is computed, such as the rest after a separation, are tested after all arguments.
        vm_body rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // whole and part are vm_bodies
        if (status < 0) printf("%s\n", vm_strerror(status));
@@ -659,7 +661,7 @@ enum {
     VM_NOT_ON_ANGLE = -23,       /* scenes: this effect cannot act on an angle */
     VM_IS_THERE = -24,           /* scenes: a part would separate into a body that is present already */
     VM_IS_AWAY = -25,            /* scenes: a jump needs a body that is not present */
-    VM_TWO_LINKS = -26,          /* scenes: a body has two links */
+    VM_TWO_LINKS = -26,          /* scenes: a body has two links, or a link and a landing */
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
@@ -707,7 +709,7 @@ VM_API const char *vm_strerror(int status)
     case VM_NOT_ON_ANGLE: return "this effect cannot act on an angle: choose another coordinate";
     case VM_IS_THERE: return "the part that separates is present already: make its body with vm_scene_body_absent";
     case VM_IS_AWAY: return "a jump needs a body that is not present: order the events, or let it be present";
-    case VM_TWO_LINKS: return "a body has two links: leave one out";
+    case VM_TWO_LINKS: return "a body has two links, or a link and a landing: leave one out";
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
     case VM_STORED_STREAM: return "a stream from this store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";
@@ -920,23 +922,6 @@ VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
 }
 
 #endif
-/* base/hypot.h - the length of a vector in the plane
-
-   Tests: tests/test_jumps.c, tests/test_laws.c. */
-#ifndef VARMASS_BASE_HYPOT_H
-#define VARMASS_BASE_HYPOT_H
-
-/* Returns the length sqrt(x^2 + y^2), also where the squares overflow or underflow, and NaN if x or y is NaN. */
-VM_API vm_real vmi_hypot(vm_real x, vm_real y)
-{
-    const vm_real a = VM_FABS(x), b = VM_FABS(y), most = vmi_larger(a, b), least = vmi_smaller(b, a);
-    vm_real q = 0;
-    if (x != x || y != y) return VM_NAN;
-    if (most > 0) q = least / most;
-    return most * VM_SQRT(1 + q * q);
-}
-
-#endif
 /* base/complex.h - complex numbers
 
        vm_complex z = vmi_c_times(vmi_complex(0, 1), vmi_complex(3, 4)); // i (3 + 4i) = -4 + 3i
@@ -1029,12 +1014,13 @@ VM_API vm_real vmi_poly_unit(vm_real modulus) { return vmi_power_below(vmi_large
 
 /* A polynomial at one point. The point is computed as a multiple z of a power of two, the unit, and the polynomial of
    degree n is divided by unit^n. So the powers of a large root do not overflow. */
-typedef struct vmi_poly_value {
+typedef struct VM_TAG(vmi_poly_value) {
     vm_real unit;
     vm_complex value, slope; /* of the divided polynomial; the slope is its derivative by z */
     vm_real size; /* the sum of the moduli of the terms whose sum is the value */
 } vmi_poly_value;
 
+/* Returns the polynomial of degree n with the coefficients c at the point re + i im. */
 VM_API vmi_poly_value vmi_poly_at(int n, const vm_real *c, vm_real re, vm_real im)
 {
     const vm_real unit = vmi_poly_unit(vmi_hypot(re, im)), modulus = vmi_hypot(re, im) / unit;
@@ -1107,7 +1093,8 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
 
 /* Sorts the roots: the real roots come first, from the largest to the smallest; then come the conjugate pairs by rising
    |im|, and in each pair the root with im > 0 is first. Imaginary parts that are only rounding errors become 0, and the
-   two roots of a pair become exactly conjugate. */
+   two roots of a pair become exactly conjugate. (Rounding splits a root of multiplicity 3 or more; its pairs may then
+   stand in another order.) */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
     const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative distance */
@@ -1121,7 +1108,10 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
         }
     }
     for (i = 0; i < n && im[i] == 0;) i++;
-    if ((n - i) % 2) im[i++] = 0;
+    if ((n - i) % 2) { /* a real root that rounding has moved off the axis */
+        im[i] = 0;
+        for (j = i++; j > 0 && re[j] > re[j - 1]; j--) vmi_poly_swap(re, im, j, j - 1);
+    }
     for (; i < n; i += 2) {
         for (j = k = i + 1; k < n; k++)
             if (VM_FABS(re[k] - re[i]) + VM_FABS(im[k] + im[i]) < VM_FABS(re[j] - re[i]) + VM_FABS(im[j] + im[i]))
@@ -1322,7 +1312,7 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* Returns a rough value of W_0(x), right to 2 %, for -1/4 <= x < 1. */
+/* Returns a rough value of W_0(x), right to 2 %, for -0.253 < x < 1. */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
 /* Returns a rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki). */
@@ -1460,7 +1450,8 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
+/* The length of the vector a, within 4 eps of itself if it is a normal number. It does not overflow if only its square
+   would overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
@@ -1508,7 +1499,7 @@ VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y *
 
 /* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
    into the axes of a body, and p turns the axes of the body into inertial axes, then p q turns the axes of the part
-   into inertial axes. */
+   into inertial axes. Here four zeros do not stand for coinciding axes: their product with any q is four zeros. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;
@@ -1618,7 +1609,8 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
 
 /* Returns the vector of length 1 in the direction of a, which must be finite and not 0, also where the length of a
    overflows or is subnormal. The division by a power of two is exact, so that the result has the bits of a/vm_norm(a)
-   wherever the length is a normal number. (The results of vm_unit have other last digits.) */
+   wherever the length and the components of the result are normal numbers or 0. (The results of vm_unit have other last
+   digits.) */
 VM_API vm_vec3 vmi_unit_vector(vm_vec3 a)
 {
     const vm_vec3 b = vmi_over(a, vmi_power_below(vmi_norm_max(a)));
@@ -1689,8 +1681,9 @@ VM_API int vmi_is_rotation(const vm_real *c)
     return vmi_norm_max(lengths) <= VMI_MATRIX_TOLERANCE && vmi_norm_max(turned) <= VMI_MATRIX_TOLERANCE;
 }
 
-/* The quaternion q of length 1, with w >= 0, that has the rotation matrix c. The comment of vm_quat_to_matrix
-   describes c. The error is within 4 eps. For a rotation by a small angle it is within 4 eps times this angle.
+/* The quaternion q of length 1, with w >= 0, that has the rotation matrix c. The comment of vm_quat_to_matrix describes
+   c. The error is within 4 eps. For a rotation by a small angle the error of x, y and z is within 4 eps times this
+   angle.
    Rounding errors of c cause errors of the same size in q. There are four formulas for q, each with a division; the
    function uses the formula with the largest divisor, because its rounding errors are smallest (Shepperd 1978).
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if an entry of c is infinite or NaN, VM_DOMAIN if c is not
@@ -1739,22 +1732,30 @@ VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
     return vmi_over(vmi_quat_vector(q), divisor);
 }
 
+/* Returns w - x^2. */
+VM_API vmi_three vmi_mrp_minus_square(vmi_three w, vm_real x)
+{
+    const vm_two square = vmi_two_product(x, -x);
+    return vmi_three_plus(w, vmi_three_words(square.hi, square.lo, 0));
+}
+
 /* The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length. If the
    length |p| is above 1, the angle of the rotation is above pi, and w of the result is negative. The relative error of
    each component of the result is within 8 eps. This holds even for a small w, at an angle close to pi, because the
-   function computes 1 - |p|^2 with twice the digits. If a parameter is infinite or NaN, the result is NaN. */
+   function computes 1 - |p|^2 in three words (as a sum of three vm_reals). If a parameter is infinite or NaN, the
+   result is NaN. */
 VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 {
     vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
-    vm_two w;
+    vmi_three w;
     if (!vmi_vec3_is_finite(p)) return vmi_quat(VM_NAN, vmi_vec3(VM_NAN, VM_NAN, VM_NAN));
     if (vmi_norm_max(p) > 1) scale = 1 / vmi_power_below(vmi_norm_max(p));
     p = vm_scale(scale, p);
-    w = vmi_two_product(scale, scale);
-    w = vmi_two_minus(w, vmi_two_product(p.x, p.x));
-    w = vmi_two_minus(w, vmi_two_product(p.y, p.y));
-    w = vmi_two_minus(w, vmi_two_product(p.z, p.z));
-    return vm_unit_quat(vmi_quat(w.hi, vm_scale(2 * scale, p)));
+    w = vmi_three_words(scale * scale, 0, 0);
+    w = vmi_mrp_minus_square(w, p.x);
+    w = vmi_mrp_minus_square(w, p.y);
+    w = vmi_mrp_minus_square(w, p.z);
+    return vm_unit_quat(vmi_quat(w.hi + (w.mid + w.lo), vm_scale(2 * scale, p)));
 }
 
 #endif
@@ -1773,9 +1774,9 @@ VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
        vm_real angles[3];
        int status = vm_euler_321_angles(q, angles); // 0.1, 0.2, 0.3
 
-   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning, because adjacent floating-point numbers differ by 1
-   rad or more.
+   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4); those of vm_euler_313_rates are a few
+   eps of |omega|/|sin(theta)|. Beyond 2^(p-1) quarter turns, where p is the number of binary digits of vm_real, a
+   result has no meaning, because adjacent floating-point numbers differ by 1 rad or more.
    Tests: tests/test_attitude.c, tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
@@ -1970,7 +1971,7 @@ VM_API int vm_euler_313_rates(vm_real psi, vm_real theta, vm_vec3 omega, vm_real
        if (vm_inertia_is_possible(&disc)) disc = vm_parallel_axes(&disc, 4, d); // 4 kg, now about a point 0.5 m away
 
    The other functions are internal: they turn, add and invert tensors for the chapters on jumps, streams and scenes.
-   Tests: tests/test_momenta.c, tests/test_jumps.c. */
+   Tests: tests/test_bodies.c, tests/test_jumps.c. */
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
@@ -2057,12 +2058,14 @@ VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + 
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
-   (trace tr, unit matrix E) has no negative eigenvalue. The function adds `slack` to the trace, so that rounding
-   errors do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. */
+   (trace tr, unit matrix E) has no negative eigenvalue. The function adds `slack` to the trace, so that rounding errors
+   do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. If the trace
+   overflows, it returns 0. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
     vm_real x, y, z, yz; /* x, y, z: the pivots; yz: minus the matrix entry yz after the first elimination */
+    if (!VM_IS_FINITE(half)) return 0;
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -2073,9 +2076,10 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
-   null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
-   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
+/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also if the trace
+   overflows, for NaN and for a null pointer. The principal moments of a body are not negative, and none is larger than
+   the sum of the other two. A violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods
+   and points count as bodies, but those whose trace is below VM_MIN/(32 eps), and not 0, may be refused. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
@@ -2240,7 +2244,7 @@ VM_API int vmi_solve_spin(const vm_inertia *i, const vmi_principal *p, vm_vec3 h
        vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
 
-   Tests: tests/test_momenta.c. */
+   Tests: tests/test_bodies.c. */
 #ifndef VARMASS_MECHANICS_BODIES_H
 #define VARMASS_MECHANICS_BODIES_H
 
@@ -2502,14 +2506,14 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 }
 
 #endif
-/* mechanics/bodies2.h - angular momentum and energy of bodies in the plane, and their conversion to bodies in space In
+/* mechanics/bodies2.h - angular momentum and energy of bodies in the plane, and their conversion to bodies in space  In
    the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
    dissertation [1]. The type of such a body, vm_body2, is in bodies.h.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
        vm_real T = vm_kinetic_energy2(&plate);      // (2 3^2 + 0.1 8^2)/2 = 12.2 J
 
-   Tests: tests/test_momenta.c, tests/test_jumps2.c. */
+   Tests: tests/test_bodies.c, tests/test_jumps2.c. */
 #ifndef VARMASS_MECHANICS_BODIES2_H
 #define VARMASS_MECHANICS_BODIES2_H
 
@@ -2532,7 +2536,7 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 
 /* Converts a body that moves in the plane to a body in space: a thin plate in the plane z = 0. Its inertia has the
    entries xx = yy = zz/2, its quaternion q has length 1, and its motion is that of *body. *body is not checked. For a
-   null pointer all numbers of the result are NaN. */
+   null pointer all numbers of the result that depend on the body are NaN. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};
@@ -2796,10 +2800,11 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    impulse, and the same holds for angular momentum. The pointer rest may be equal to whole or to part.
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
-   The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole
-   are added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are
-   at a distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the
-   rest that is below this error becomes 0; this changes the rest's angular momentum by up to the error times omega.
+   The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole are
+   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
+   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the rest
+   that is below this error becomes 0, and one that exceeds the sum of the other two by less than this error becomes
+   this sum. Both change the rest's angular momentum by up to the error times omega.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
    axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about
@@ -3296,9 +3301,10 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
        and 8).
      - If *rest_omega_or_NULL is the angular velocity of the whole, the rest turns as the whole did (Table 3, case 7).
 
-   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. In
-   this case the part cannot have this angular momentum, and *moving brings the rest as close to the wanted motion as
-   possible. The other statuses are those of vm_separate. */
+   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. In this
+   case *moving has the needed angular momentum about all other axes, and the rest keeps what is missing. If the rest
+   has no inertia about an axis (a rod or a point), no part can turn it about this axis: its spin about the axis remains
+   that of the whole, and the status does not tell this. The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
@@ -3406,7 +3412,8 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
    be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
    component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. If rest_omega is
    the angular velocity of the whole, this is case 7 of Table 3 in the dissertation, corrected. Returns VM_SINGULAR if S
-   and S2 are one point, because then no velocity turns the rest. The other statuses are those of vm_separate2. */
+   and S2 are one point, because then no velocity turns the rest. If the rest is a point, its angular velocity remains
+   that of the whole. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -3432,7 +3439,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
        part and rest are set. The velocity v_r = c k x SS2 of the part must supply it: m M/M1 SS2 x v_r = h k. M, m and
        M1 are the masses of whole, part and rest; k is the unit vector along z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
-    c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
+    c = h / b.mass * (rest.mass / whole->mass) / (dx * dx + dy * dy); /* products of masses may overflow */
     b.vx -= c * dy;
     b.vy += c * dx;
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;
@@ -3484,7 +3491,9 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
    (118). It is computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external
    impulse on the whole (0 without an impulse). Without rounding errors this sum equals the difference of the energies.
    The difference itself would lose digits at high speed. `whole` is the body before the separation; `parts` and `rest`
-   are the bodies after it. Returns NaN for a null pointer or n < 0. */
+   are the bodies after it; they are not checked. After VM_NULL_AXIS the true difference is smaller by omega.h, where
+   omega is the angular velocity of the whole and h the angular momentum that was lost. Returns NaN for a null pointer
+   or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
@@ -3493,7 +3502,8 @@ VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts,
 
 /* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` minus that of the whole
    (Carnot's loss). It is computed as the kinetic energy of these bodies relative to the whole, minus the work of the
-   impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
+   impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it; they are
+   not checked. After VM_NULL_AXIS the result does not contain the energy of the angular momentum that was lost. Returns
    NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                               const vm_body *whole)
@@ -3578,21 +3588,36 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
     return VM_OK;
 }
 
+/* The rounding error of the moment of inertia of *b about the axle through O along the unit vector e. The rounding
+   errors of e, of the attitude and of the positions enter with their squares, because the moment of a rod about its own
+   axis is the least one. */
+VM_API vm_real vmi_axle_inertia_error(const vm_body *b, vm_vec3 O, vm_vec3 e)
+{
+    const vmi_mat3 turn = vmi_rotation(b->q);
+    const vm_real reach = VMI_LOST_SHARE * (vmi_norm1(b->r) + vmi_norm1(O));
+    const vm_real turned = VMI_LOST_SHARE * vmi_inertia_trace(&b->inertia);
+    vmi_mat3 own;
+    own.x = own.y = own.z = vmi_times_transposed(&turn, e);
+    return VMI_LOST_SHARE * (vmi_inertia_sizes(&b->inertia, &own).xx + turned) + b->mass * (reach * reach);
+}
+
 /* Sets the motion of the body *b about the axle, and computes the impulse of the axle. *b must already have the mass,
    the inertia and the position after the jump. *sum contains the quantities that vmi_axle_sum describes. `before` is
    the angular velocity of the body about the axle before the jump. Returns VM_NULL_AXIS if *b has no inertia about the
-   axle, but would need angular momentum about it, else VM_OK. */
+   axle, apart from rounding errors, but would need angular momentum about it, else VM_OK. */
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)
 {
     const vm_vec3 d = sum->arm, speed = vm_cross(e, d); /* velocity of the mass centre at 1 rad/s */
     const vm_vec3 column = vm_add(vmi_spin_momentum_at(b, e), vm_scale(b->mass, vm_cross(d, speed)));
     const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
+    const vm_real reach = vmi_norm1(b->r) + vmi_norm1(O);
+    const vm_real momentum_error = VMI_LOST_SHARE * (vmi_norm1(sum->angular) + reach * vmi_norm1(sum->linear));
     vm_real change = 0;
     vm_vec3 couple;
     int status = VM_OK;
-    if (inertia > 0) change = momentum / inertia;
-    else if (momentum != 0) status = VM_NULL_AXIS;
+    if (inertia > vmi_axle_inertia_error(b, O, e)) change = momentum / inertia;
+    else if (VM_FABS(momentum) > momentum_error) status = VM_NULL_AXIS;
     b->omega = vm_add(before, vm_scale(change, e));
     b->v = vm_cross(b->omega, d);
     reaction->at = O;
@@ -3676,8 +3701,6 @@ VM_API int vm_attach_on_axle(const vm_axle *axle, const vm_body *body, int n, co
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_H
 #define VARMASS_MECHANICS_BROKEN_ROTOR_H
 
-#include <string.h>
-
 /* The rotor. The formulas use these abbreviations (67) of its fields: omega^2 = stiffness/mass, p^2 = mass/inertia,
    k* = damping/inertia, M* = torque/inertia. A prime ' means the derivative with respect to time: psi' = dpsi/dt. */
 typedef struct VM_TAG(vm_broken_rotor) {
@@ -3751,7 +3774,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
                                               the velocity of S2 perpendicular to S2A [(58) corrected]. */
     vm_real stop_inertia;                  /* If the piece had this inertia I_S2, kg m^2, the remainder would not turn
                                               after the break. If the value is < 0 or not finite, no such inertia
-                                              exists. If alpha = 0 and the velocity of S is along SA or 0, the value
+                                              exists; nor if it is so large that the remainder would have no positive
+                                              inertia. If alpha = 0 and the velocity of S is along SA or 0, the value
                                               is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 
@@ -4194,12 +4218,12 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
 }
 
 /* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
-   The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if |t|
-   times vmi_broken_rotor_rate exceeds 1. Let w = omega and k = k*. The initial angle is psi0, and its initial rate is
-   rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt)
-   is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2
-   give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1
-   for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+   The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if there
+   is no coupling and |t| times vmi_broken_rotor_rate exceeds 2. Let w = omega and k = k*. The initial angle is psi0,
+   and its initial rate is rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 =
+   (t - E1)/k. E0 = e^(-kt) is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi.
+   The functions g0, g1, g2 give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is
+   w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -4234,18 +4258,20 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
-    vm_real y[VM_BROKEN_ROTOR_STATES], z[VMI_BROKEN_ROTOR_COUPLED], x0, vx0;
+    vm_real y[VM_BROKEN_ROTOR_STATES], z[VMI_BROKEN_ROTOR_COUPLED], x0, vx0, rate;
     vmi_broken_rotor_linear a;
     vmi_broken_rotor_swing g;
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     a = vmi_broken_rotor_reduced(rotor, coupled);
+    rate = vmi_broken_rotor_rate(&a);
+    if (!VM_IS_FINITE(rate)) return VM_NOT_FINITE;
     g = vmi_broken_rotor_swing_at(t, a.omega);
     z[VMI_BROKEN_ROTOR_Y] = start[VM_BROKEN_ROTOR_X + 1];
     z[VMI_BROKEN_ROTOR_PSI] = start[VM_BROKEN_ROTOR_ANGLE];
     z[VMI_BROKEN_ROTOR_Y_RATE] = start[VM_BROKEN_ROTOR_V + 1];
     z[VMI_BROKEN_ROTOR_PSI_RATE] = start[VM_BROKEN_ROTOR_OMEGA];
-    if (coupled || VM_FABS(t) * vmi_broken_rotor_rate(&a) <= 1) vmi_broken_rotor_advance(t, &a, z);
+    if (a.coupling != 0 || VM_FABS(t) * rate <= 2) vmi_broken_rotor_advance(t, &a, z);
     else vmi_broken_rotor_follow(t, &a, &g, z);
     x0 = start[VM_BROKEN_ROTOR_X];
     vx0 = start[VM_BROKEN_ROTOR_V];
@@ -4262,9 +4288,10 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
    as start. The fields damping, stiffness and s may be 0. Rounding of all inputs, t included, would change the result;
-   the error of the function is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if
-   an argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor
-   is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
+   the error of the function is at most twice this change. Only if damping slows the rotation, psi' may have an
+   additional error, of a few eps of its value in `start`. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if
+   an argument, the result or a coefficient of (69) is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the
+   inertia of the rotor is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
@@ -4273,7 +4300,8 @@ VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const
 /* State of the remainder t seconds after the state `start`, by the solution (70)-(72), which lacks one term of (69).
    The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. Use this
    function only to compare [1] with vm_broken_rotor_linear. Rounding of all inputs would change the result; the error
-   of the function is at most this change. The arguments and the statuses are those of vm_broken_rotor_linear. */
+   of the function is at most three times this change. The arguments and the statuses are those of
+   vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);
@@ -4330,7 +4358,7 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
    circle, as in the equations (76), (77) of the dissertation [1]. This chapter computes
      - the radius of this circle,
      - the characteristic polynomial (81) of small deviations from the steady motion, its roots, and the first column of
-     Routh's scheme,
+       Routh's scheme,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the growing orbit of a rotor that starts from rest, if its torque drives it at or above resonance.
    In the formulas, omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia, and s is the field s of the
@@ -4346,21 +4374,23 @@ VM_API int vm_broken_rotor_orbit(const vm_broken_rotor *rotor, const vm_real *st
 
 #include <string.h>
 
-/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. The function computes it with
-   twice the digits, so that the sign is right even if the rotor turns very close to resonance. */
+/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. The function computes it in
+   three words (as a sum of three vm_reals), because close to resonance the two terms cancel. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
-    const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
-    const vm_two left = vmi_two_plus(vmi_two(r->stiffness, 0), load);
-    return left.hi + left.lo;
+    const vm_two momentum = vmi_two_product(r->mass, Omega);
+    const vmi_three load =
+        vmi_three_times(vmi_three_words(momentum.hi, momentum.lo, 0), vmi_three_words(-Omega, 0, 0));
+    const vmi_three left = vmi_three_plus(vmi_three_words(r->stiffness, 0, 0), load);
+    return left.hi + (left.mid + left.lo);
 }
 
 /* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
    Omega is in rad/s. The motion is steady only if torque = damping Omega (47). For Omega^2 < omega^2 the radius is
    positive and the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is
    negative and phi = psi, as in (76). The relative error is within 3 eps, even very close to resonance. Returns
-   infinity at resonance (NaN for s = 0), and NaN for a null pointer or for a rotor with a value that vm_broken_rotor
-   does not allow. */
+   infinity at resonance (NaN for s = 0 or stiffness = 0), and NaN for a null pointer or for a rotor with a value that
+   vm_broken_rotor does not allow. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
@@ -4568,8 +4598,9 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
    Terms of order s^2/r and the time until psi' reaches omega are neglected. The resulting error is small: for the
    rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the
    radius of the numerically integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
-   Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
-   R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
+   Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor, and where mass
+   Omega^2 overflows. The solution of R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with
+   x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;
@@ -4865,9 +4896,10 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
    `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
    The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
-   This formula is the corrected form of (125) and (132), rearranged so that no digits cancel. Returns VM_BAD_ARGUMENT
-   for a null pointer and for an unknown value of the field `axes`; VM_NOT_FINITE if an argument or the result is
-   infinite or NaN; VM_BAD_MASS if the mass is not positive; VM_DOMAIN if l is not between 0 and L; VM_OK otherwise. */
+   This formula is the corrected form of (125) and (132), rearranged so that digits cancel only if Omega and `across`
+   have opposite signs. Returns VM_BAD_ARGUMENT for a null pointer and for an unknown value of the field `axes`;
+   VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_BAD_MASS if the mass is not positive; VM_DOMAIN if
+   l is not between 0 and L; VM_OK otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -4954,8 +4986,8 @@ VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_p
 }
 
 /* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_NOT_FINITE if a result is
-   infinite or NaN; VM_BAD_INERTIA if no body can have the resulting inertia about O, because the part cannot have been
-   in the pendulum; else VM_OK. */
+   infinite or NaN; VM_BAD_INERTIA if the resulting inertia about O is 0, or is one that no body can have, because the
+   part cannot have been in the pendulum; else VM_OK. */
 VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
 {
     const vm_real share = part->mass / (p->mass - part->mass);
@@ -4987,9 +5019,10 @@ VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
    the pendulum changes by
      phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
    In this form digits cancel only in I1, the difference of the moments of inertia of the whole pendulum and of the part
-   about O. For axles in space see vm_separate_on_axle. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
-   argument or the result is infinite or NaN; VM_BAD_MASS if a mass, that of the rest included, is not positive;
-   VM_BAD_INERTIA if an inertia, that of the rest included, is one that no body can have; VM_OK otherwise. */
+   about O, and where the terms of the numerator have opposite signs. For axles in space see vm_separate_on_axle.
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if a mass, that of the rest included, is not positive; VM_BAD_INERTIA if an inertia, that of the rest
+   included, is one that no body can have, or if that of the rest is 0; VM_OK otherwise. */
 VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, const vm_compound_part *part,
                                          vm_compound_cut *cut)
 {
@@ -5759,10 +5792,10 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
    the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0.
    If the quaternion at t0 was all zero, or if its length was within 64 eps of 1, the length of *q is 1. Returns
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns is
-   above about 1e300 (float 8e34), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
-   the result is finite and has the right angular momentum, but the angle through which the body has turned has no
-   correct digits. */
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t, the number of turns or
+   the number of turns per second is above about 1e300 (float 8e34), and VM_OK otherwise. After an error *q and *omega
+   are unchanged. Beyond 1/eps^2 turns the result is finite and has the right angular momentum, but the angle through
+   which the body has turned has no correct digits. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */
@@ -5942,10 +5975,12 @@ enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
     VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
-                        the stream are not read. If the stream has no store, its reactive moment and its reactive torque
-                        cancel. Its reactive force is M' omega x d, which (166) of [1] neglects. M' is the rate of the
-                        stream, omega the body's spin, and d the vector from the mass centre to the point. */
-    VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
+                        the stream are not used, but must be finite. If the stream has no store, its reactive moment
+                        and its reactive torque cancel. Its reactive force is M' omega x d, which (166) of [1]
+                        neglects. M' is the rate of the stream, omega the body's spin, and d the vector from the mass
+                        centre to the point. */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not used, but
+                        must be finite */
 };
 
 /* A store of mass inside a body, for example a tank. A stream that leaves the body takes its mass from the store, and a
@@ -5997,11 +6032,11 @@ typedef struct VM_TAG(vm_reactive) {
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
 /* For every value of the field `motion`, the velocity u of a stream's mass is the sum of two terms. The first term is
-   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of
-   the mass is also a sum of two terms: the spin of the body, or zero, and the field `spin`, or zero.
-   vmi_stream_moves_with_body returns 1 if the first term is the velocity of the point, and
-   vmi_stream_velocity_is_given returns 1 if the second term is the field `velocity`. No other function depends on the
-   four values VM_RELATIVE ... VM_AT_REST. */
+   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the
+   mass is also a sum of two terms: the spin of the body, or zero, and the field `spin`, or zero.
+   vmi_stream_moves_with_body returns 1 if the first term is the velocity of the point, and vmi_stream_velocity_is_given
+   returns 1 if the second term is the field `velocity`. Apart from vmi_stream_motion_is_known, no other function
+   depends on the four values VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
@@ -6108,7 +6143,7 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
 {
     const vm_vec3 relative = vm_sub(spin, b->omega);
     vm_vec3 u = push, absolute, w;
-    if (s->rate != 0) u = vm_scale(1 / s->rate, push);
+    if (s->rate != 0) u = vmi_over(push, s->rate);
     absolute = vm_add(u, vmi_times_transposed(b->turn, b->v));
     w = vm_sub(u, carried);
     sum->brought += s->rate * vm_dot(absolute, absolute) + vm_dot(spin, vmi_inertia_times(own, spin));
@@ -6242,9 +6277,10 @@ VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *f
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
    All vectors are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the
    mass centre (N m). *acceleration is v', the rate of momentum/mass (m/s^2), and *angular_acceleration is omega'
-   (rad/s^2). Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
-   VM_BAD_MASS if the body's mass is not positive; VM_BAD_INERTIA if no body can have the inertia, and also for the
-   singular inertia of a rod or a point; VM_OK otherwise. */
+   (rad/s^2). Of *loads only the fields force, moment and torque are used. Returns VM_BAD_ARGUMENT for a null pointer;
+   VM_NOT_FINITE if a number that is used, or the result, is infinite or NaN; VM_BAD_MASS if the body's mass is not
+   positive; VM_BAD_INERTIA if no body can have the inertia, and also for the singular inertia of a rod or a point;
+   VM_OK otherwise. */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {
@@ -6326,7 +6362,7 @@ VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_ve
 /* Indices of the states in y, and numbers of states. Vectors are along inertial axes unless body axes are named. */
 enum {
     VM_Y_R = 0,        /* position of the mass centre, 3 numbers, m */
-    VM_Y_Q = 3,        /* attitude, 4 numbers w, x, y, z */
+    VM_Y_Q = 3,        /* attitude, 4 numbers w, x, y, z; its length should be 1 (vm_flow_start sets it), and not 0 */
     VM_Y_P = 7,        /* momentum, 3 numbers, kg m/s; for vm_flow_carried_rhs the velocity v, m/s */
     VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
                           angular velocity in body axes, rad/s */
@@ -6367,7 +6403,7 @@ typedef struct VM_TAG(vm_flow) {
     /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step of the integrator may go
        beyond the end of a motion, where the mass is not positive or no body can have the inertia. The derivatives are
        then NaN, so that the integrator shortens its step. An event should stop the run before the mass or the inertia
-       becomes impossible. */
+       becomes impossible. If `update` ends the run, this field does not change. */
     int status;
     /* Length of the array y, VM_LENGTH(y), which the right-hand sides, vm_flow_start and vm_flow_body check (the two
        event functions do not); 0 means unknown. vm_flow_start writes VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as
@@ -6555,8 +6591,8 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
    `update` must set mass, inertia and drift for the time t. The states are r, q, the velocity v (not the momentum) and
    omega in body axes (not the angular momentum). The function does not use the streams of the flow. The equations are
      v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
-   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
-   statuses are those of vm_flow_rhs. */
+   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S stands for R^T M_S, the
+   components of flow.moment along body axes. The statuses are those of vm_flow_rhs; the streams are not checked. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;
@@ -6860,10 +6896,12 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, v
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
-/* Returns VM_OK if the mass and the inertia of the state y are positive, else VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Returns VM_NOT_FINITE if the mass of the state y is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if its mass or its
+   inertia is not positive; else VM_OK. */
 VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 {
-    if (!(y[VM_FLOW2_MASS] > 0)) return VM_BAD_MASS;
+    const int status = vmi_flow_check_mass(y[VM_FLOW2_MASS]);
+    if (status) return status;
     if (!(y[VM_FLOW2_INERTIA] > 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }
@@ -6999,11 +7037,11 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     const vm_vec3 v = vm_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
-    int k, status = VM_OK;
+    int k;
     if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < VM_TRANSLATION_STATES) return flow->status = VM_SHORT_ARRAY;
-    if (!(mass > 0)) status = VM_BAD_MASS;
-    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_TRANSLATION_STATES, dydt);
+    if (vmi_flow_note_status(&flow->status, vmi_flow_check_mass(mass)))
+        return vmi_flow_reject_step(VM_TRANSLATION_STATES, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
@@ -7048,10 +7086,10 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
     vm_real force = flow->force, rate = 0;
-    int k, status = VM_OK;
+    int k;
     if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    if (!(y[VM_FLOW1_MASS] > 0)) status = VM_BAD_MASS;
-    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW1_STATES, dydt);
+    if (vmi_flow_note_status(&flow->status, vmi_flow_check_mass(y[VM_FLOW1_MASS])))
+        return vmi_flow_reject_step(VM_FLOW1_STATES, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
@@ -7133,7 +7171,8 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
-    return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
+    if (m < m0) return v0 + ((m0 - m) * (v0 - u) + impulse) / m; /* v0 m0/m and u (m - m0)/m may nearly cancel */
+    return v0 * (m0 / m) + (u * ((m - m0) / m) + impulse / m);
 }
 
 /* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
@@ -7236,6 +7275,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
     share = vmi_exp(exponent * first, 0);
+    if (omega0.x == 0 && omega0.y == 0) share = 0; /* where the exponential overflows, too */
     angle = omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second);
     vmi_sincos(angle, &sine, &cosine);
     later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine), share * (omega0.y * cosine + omega0.x * sine),
@@ -7378,13 +7418,13 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
 /* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their derivatives, and the store of
    the mass that leaves next.
    mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the function uses the same
-   formulas. The results then describe no body, but they change smoothly with the mass. An integrator needs this,
-   because its trial steps may go beyond these limits. The errors are at most 8 eps of a scale: |at| + length for a
-   position, the largest entry for a tensor, and the length of the vector for centre_by_mass. These bounds hold for a
-   nearly empty or nearly full supply, too. Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind;
-   VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_BAD_MASS if supply.full is not positive; VM_DOMAIN
-   if the length or the radius is not positive, if the axis is 0, or if the bore of a grain is not between 0 and the
-   radius; VM_OK otherwise. */
+   formulas. The results then describe no body, but, apart from the bore of a grain (0 where its square would be
+   negative), they change smoothly with the mass. An integrator needs this, because its trial steps may go beyond these
+   limits. The errors are at most 8 eps of a scale: |at| + length for a position, the largest entry for a tensor, and
+   the length of the vector for centre_by_mass. These bounds hold for a nearly empty or nearly full supply, too. Returns
+   VM_BAD_ARGUMENT for a null pointer or an unknown kind; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if supply.full is not positive; VM_DOMAIN if the length or the radius is not positive, if the axis is 0,
+   or if the bore of a grain is not between 0 and the radius; VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;
@@ -7548,13 +7588,15 @@ VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 }
 
 /* Returns the time t minus a whole number of periods if the orbit is an ellipse (beta > 0), else t. The result for an
-   ellipse is at most half a period before or after 0. */
+   ellipse is at most about one period before or after 0. It is 0 if |t| is above period/eps, because the digits of t
+   then do not tell where on the ellipse the body is. */
 VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
 {
     vm_real period;
     if (!(beta > 0)) return t;
     period = 2 * VM_PI / (beta * VM_SQRT(beta));
     if (!(VM_FABS(t) > period / 2 && period > 0)) return t;
+    if (VM_FABS(t) > period / VM_EPSILON) return 0;
     return t - period * VM_FLOOR(t / period + VM_C(0.5));
 }
 
@@ -7565,9 +7607,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    back at the centre. Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as
    large as this change, and grows with the number of revolutions. There is one exception: if v0 points towards the
    centre, apart from a small angle of phi rad, the error after the passage of the centre can be 10/phi times as large.
-   A call takes about as long as 50 calls of sin. Returns
-   VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN for mu
-   <= 0 or r0 = 0; VM_OK otherwise. */
+   A call takes about as long as 50 calls of sin. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN, or if |r0| |v0|^2/mu overflows; VM_DOMAIN for mu <= 0 or r0 = 0; VM_OK
+   otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_real distance0, speed, unit, time, sign = 1;
@@ -7729,8 +7771,8 @@ typedef struct VM_TAG(vmi_drum_mass) {
 
 /* Sets *m for the angle phi of the drum. The argument s is sin(phi/2), or 0 to neglect the distance from the axle to
    the mass centre. Returns VM_NOT_FINITE if M or J is infinite or NaN; VM_BAD_MASS if M or the mass of the empty drum
-   is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_BAD_INERTIA if J - steiner is not positive; else
-   VM_OK. */
+   is not positive, or if the field `band` is negative; VM_BAD_STIFFNESS if the stiffness is negative; VM_BAD_INERTIA if
+   J - steiner is not positive; else VM_OK. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -7738,7 +7780,7 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     m->J = d->inertia + d->band * d->radius * d->radius * phi;
     m->steiner = q / m->M * q; /* in this order, because q * q could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
-    if (!(d->mass > 0) || !(m->M > 0)) return VM_BAD_MASS;
+    if (!(d->mass > 0) || d->band < 0 || !(m->M > 0)) return VM_BAD_MASS;
     if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (!(m->J - m->steiner > 0)) return VM_BAD_INERTIA;
     return VM_OK;
@@ -7896,8 +7938,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 /* Right-hand side of the equations of the shaft's vibration as a function of the angle phi, (210), (211).
    Its type is ode_rhs. The state y has VM_DRUM_ANGLE_STATES numbers. `drum` must point to a vm_drum. The independent
    variable is the angle phi instead of time. The angular velocity phi' is taken from the drum on a rigid shaft (196).
-   Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi, if phi or the
-   field `band` is negative, or if `inertia` or `omega` is not positive; else a status of vm_drum_rhs. */
+   The unbalance of the band is left out, as in [1]; vm_drum_unbalance computes the deflection that it causes. Returns
+   VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi, if phi is negative, or
+   if `omega` is not positive; VM_BAD_INERTIA if `inertia` is not positive; else a status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -7910,6 +7953,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     vmi_drum_mass m;
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
+    if (!(d->inertia > 0)) return VM_BAD_INERTIA;
     if (!(rate > 0)) return VM_DOMAIN;
     acceleration = (e - j * rate) / m.J; /* derivative of phi' with respect to phi (195) */
     drag = d->band / m.M + acceleration / rate;
@@ -7973,8 +8017,9 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
    With x = e phi/(J0 Omega_b) and the letters explained at vm_drum_rate the time is
      t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2]
-   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the angle at which the drum
-   comes to rest (vm_drum_stop), and NaN where vm_drum_rate gives NaN. */
+   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at exactly the angle at which the
+   drum comes to rest. vm_drum_stop rounds this angle, so that the time at its result is usually a finite number or NaN.
+   Returns NaN where vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */
@@ -8299,7 +8344,8 @@ VM_API int vm_drum_shaft_valid(const vm_drum_shaft *s) { return s && s->A < 1 / 
    Accuracy: A and b are computed as differences of values of T, so that they have no errors except rounding errors.
    dT/dq is a central difference of order 6 (its error is proportional to the sixth power of the step). The field
    `scales` must contain, for each coordinate, the change of the coordinate that changes T noticeably. The error of
-   dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
+   dT/dq is then below 2e-13 (float 1e-5) of the largest T, divided by the scale of the coordinate. Tests:
+   tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -8327,7 +8373,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
-    vm_real *rates;  /* first pi - b with the generalized momenta pi, later the rates q', n numbers */
+    vm_real *rates;  /* first pi - b with the generalized momenta pi, later the rates q'; in inverse dynamics displaced
+                        coordinates; n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -8361,18 +8408,20 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
    the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. The kinetic energies of the two rates
-   are then equal. If one of the two energies were much smaller, its digits would be lost in the sum. */
-VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
+   are then equal. If one of the two energies were much smaller, its digits would be lost in the sum. Returns
+   VM_SINGULAR if an entry of the diagonal is zero or negative, so that A is not positive definite; else VM_OK. */
+VM_API int vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
     const int n = system->n;
     const vm_real T0 = vmi_lagrange_energy(system, t, q, -1, 0, -1, 0);
-    int i, j;
+    int i, j, status = VM_OK;
     for (i = 0; i < n; i++) {
         const vm_real plus = vmi_lagrange_energy(system, t, q, i, 1, -1, 0);
         const vm_real minus = vmi_lagrange_energy(system, t, q, i, -1, -1, 0);
         w.A[i * n + i] = (plus - T0) + (minus - T0);
         w.b[i] = (plus - minus) / 2;
+        if (w.A[i * n + i] <= 0 && VM_IS_FINITE(w.A[i * n + i])) status = VM_SINGULAR;
     }
     for (i = 0; i < n; i++)
         for (j = 0; j < i; j++) {
@@ -8383,6 +8432,7 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
                                      vmi_lagrange_energy(system, t, q, i, -x, j, z);
             w.A[i * n + j] = w.A[j * n + i] = (same - opposite) / (4 * x * z);
         }
+    return status;
 }
 
 /* Writes the masses at time t and coordinates q into the work array, where the masses stay constant while T is
@@ -8393,20 +8443,15 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y contains the coordinates q and the momenta pi. Returns
-   VM_SINGULAR if an entry A_kk on the diagonal is zero or negative, or if A is finite but not positive definite;
-   VM_NOT_FINITE if t, y or A is not finite; and VM_OK otherwise. y is checked because A and b may not depend on each
-   coordinate. */
+   VM_NOT_FINITE if t, y or A is not finite, VM_SINGULAR if A is not positive definite, and VM_OK otherwise. y is
+   checked because A and b may not depend on each coordinate. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
     int k;
     if (!VM_IS_FINITE(t) || !vmi_all_finite(2 * system->n, y)) return VM_NOT_FINITE;
     vmi_lagrange_freeze(system, t, y);
-    vmi_lagrange_quadratic(system, t, y);
-    for (k = 0; k < system->n; k++) { /* if A_kk is not positive, the entries beside it may be NaN */
-        const vm_real own = w.A[k * system->n + k];
-        if (own <= 0 && VM_IS_FINITE(own)) return VM_SINGULAR;
-    }
+    if (vmi_lagrange_quadratic(system, t, y)) return VM_SINGULAR;
     if (!vmi_all_finite(system->n * system->n, w.A)) return VM_NOT_FINITE;
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
     return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
@@ -8447,10 +8492,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 /* Right-hand side of Lagrange's equations with variable mass (247). Its type is ode_rhs, so that integrators such as
    rk45 can call it. The state y has 2 n numbers: n coordinates q, then n generalized momenta pi. `lagrange` must point
    to a vm_lagrange_system. Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT for a null pointer
-   or an invalid system; VM_SINGULAR if the mass matrix is not positive definite; VM_NOT_FINITE if t, y or an energy is
-   infinite or NaN; or the number that system->forces returns. The mass matrix is not positive definite if, for example,
-   a mass has become negative; use an event to stop the run before that. The number of calls of system->energy grows
-   with n^2. */
+   or an invalid system; VM_SINGULAR if the mass matrix is not positive definite; VM_NOT_FINITE if t, y or the mass
+   matrix is infinite or NaN; or the number that system->forces returns (dydt is then overwritten). If only T at a
+   neighbouring coordinate or a force is infinite or NaN, numbers of dydt are so, too. The mass matrix is not positive
+   definite if, for example, a mass has become negative; use an event to stop the run before that. The number of calls
+   of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -8472,7 +8518,8 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
 
 /* Initial state y of a system at time t, from its n coordinates q and n rates q'.
    y is an array of 2 n numbers: the n coordinates q followed by the n generalized momenta pi. Returns VM_BAD_ARGUMENT
-   for a null pointer or an invalid system; VM_NOT_FINITE if a number of q or pi is infinite or NaN; VM_OK otherwise. */
+   for a null pointer or an invalid system; VM_NOT_FINITE if a number of q, q' or pi is infinite or NaN; VM_SINGULAR if
+   T does not grow with each of the rates; VM_OK otherwise. */
 VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
@@ -8480,11 +8527,12 @@ VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_rea
     if (!vmi_lagrange_is_valid(system) || !q || !rates || !y) return VM_BAD_ARGUMENT;
     n = system->n;
     w = vmi_lagrange_work(system);
+    if (!vmi_all_finite(n, q) || !vmi_all_finite(n, rates)) return VM_NOT_FINITE;
     vmi_lagrange_freeze(system, t, q);
-    vmi_lagrange_quadratic(system, t, q);
+    if (vmi_lagrange_quadratic(system, t, q)) return VM_SINGULAR;
     for (i = 0; i < n; i++)
         for (j = 0; j < n; j++) w.b[i] += w.A[i * n + j] * rates[j];
-    if (!vmi_all_finite(n, w.b) || !vmi_all_finite(n, q)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(n, w.b)) return VM_NOT_FINITE;
     for (i = 0; i < n; i++) {
         y[i] = q[i];
         y[n + i] = w.b[i];
@@ -8591,9 +8639,8 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
     for (i = 0; i < n; i++) w.forces[i] = 0;
     vmi_lagrange_add_momentum_rates(system, t, time_scale, q, rates, w.forces);
     vmi_lagrange_freeze(system, t, q);
-    vmi_lagrange_quadratic(system, t, q);
+    if (vmi_lagrange_quadratic(system, t, q)) return VM_SINGULAR;
     for (i = 0; i < n; i++) {
-        if (w.A[i * n + i] <= 0) return VM_SINGULAR;
         for (j = 0; j < n; j++) w.forces[i] += w.A[i * n + j] * accelerations[j];
         w.forces[i] -= vmi_lagrange_derivative(system, t, q, rates, i);
     }
@@ -8609,7 +8656,7 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
    argument or the result is infinite or NaN; VM_DOMAIN for time_scale < 0; VM_SINGULAR if T does not grow with each of
    the rates; VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of three terms: the mass matrix A
    times q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system changes
-   noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
+   noticeably. T is evaluated at most 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {
@@ -9318,8 +9365,8 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon; at the last point the error is within 4 eps of the larger of
-   the last two values. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
+   the value in the table, where eps is the machine epsilon; at the last point it is within 4 eps of the larger of the
+   last two values. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
    pointers and for a law that no constructor made; VM_NOT_FINITE where t or a result is infinite or NaN; VM_DOMAIN for
    t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function fails; VM_OK otherwise. An
    error leaves *f and *rate untouched. */
@@ -9968,6 +10015,7 @@ typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate;       /* k'/k, 1/s */
+    vm_real bend;         /* absolute value of the time derivative of m'/m, 1/s^2 */
     vm_real unit;         /* a time of about 1/W, s; its powers make the G_k pure numbers, so that powers of very large
                              or small rates do not overflow */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
@@ -10123,6 +10171,7 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
         m[i] = a;
         k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
     }
+    now->bend = VM_FABS(m_rate[1]) / unit / unit;
     now->a = m[0] / unit;
     now->k_rate = k_rate[0] / unit;
     now->p = k[0] / unit;
@@ -11190,6 +11239,7 @@ VM_API int vmi_osc_start_without_phase(vm_osc_plan *p)
     p->slow.a = rates.a;
     p->slow.p = rates.p;
     p->slow.k_rate = rates.k_rate;
+    p->slow.bend = 0;
     p->slow.unit = 1;
     for (i = 0; i < VMI_OSC_G; i++) {
         p->slow.G[i] = 0;
@@ -14748,14 +14798,16 @@ VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
     return sum * length - s->v * s->v / 2;
 }
 
-/* Finds the orbit through the state (x, v). A trial value of (amplitude - |x|) is doubled or halved until the true
-   value lies between two trial values. Returns VM_NO_LAW where no amplitude belongs to the state. */
+/* Finds the orbit through the state (x, v). `low` is the largest known value of (amplitude - |x|) that is too small. A
+   step beyond `low` is halved if it leads to a place where the function fails, or where F is not positive and the
+   energy is not yet reached. Otherwise it doubles `low`, until the true value lies between two trial values. Returns
+   VM_NO_LAW where no amplitude belongs to the state. */
 VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const int most = 200;
     vmi_odd_state s;
-    vm_real step, missing, before;
-    int i = 0;
+    vm_real low = 0, step, missing = 0, before = -v * v / 2;
+    int i, bounded = 0;
     s.force = force;
     s.x = VM_FABS(x);
     s.v = v;
@@ -14766,20 +14818,27 @@ VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v,
     orbit->size = s.x;
     if (v == 0) return VM_OK;
     step = s.x > 0 ? s.x : VM_FABS(v);
-    missing = vmi_odd_user_missing(step, &s);
-    for (; missing > 0 && i < most && !s.status; i++) {
-        step /= 2;
-        missing = vmi_odd_user_missing(step, &s);
-    }
-    before = missing;
-    for (; !(missing > 0) && i < most && !s.status; i++) {
+    for (i = 0; i < most && !(bounded && step < VM_EPSILON * (s.x + low)); i++) {
+        vm_real f = 0;
+        int is_too_far;
+        s.status = VM_OK;
+        missing = vmi_odd_user_missing(low + step, &s);
+        if (!s.status) s.status = vmi_odd_user_at(force, s.x + (low + step), &f);
+        if (missing > 0) is_too_far = low == 0;
+        else is_too_far = f <= 0;
+        if (s.status || is_too_far) {
+            if (s.status || !(missing > 0)) bounded = 1;
+            step /= 2;
+            continue;
+        }
+        if (missing > 0) break;
         before = missing;
-        step *= 2;
-        missing = vmi_odd_user_missing(step, &s);
+        low += step;
+        if (!bounded) step = low;
     }
     if (s.status) return s.status;
     if (!(missing > 0)) return VM_NO_LAW;
-    orbit->size = s.x + vmi_find_zero(vmi_odd_user_missing, &s, step / 2, step, before, missing);
+    orbit->size = s.x + vmi_find_zero(vmi_odd_user_missing, &s, low, low + step, before, missing);
     return s.status;
 }
 
@@ -14813,11 +14872,11 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
     return VM_OK;
 }
 
-/* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only; its last argument is
-   ctx. F must be positive for 0 < x <= A, where A is the amplitude; it is enough that the integral of F from every such
-   x to A is positive. Between 0 and A the force must be so smooth that polynomials of degree 19 represent it on at most
-   8 equal pieces. Otherwise vm_odd_exact_from and the averaged solutions return VM_NO_LAW. If `function` is null, all
-   functions that use the force and return a status return VM_BAD_ARGUMENT. */
+/* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only, also for some x above
+   the amplitude A, where it may fail; its last argument is ctx. F must be positive for 0 < x <= A; it is enough that
+   the integral of F from every such x to A is positive. Between 0 and A the force must be so smooth that polynomials of
+   degree 19 represent it on at most 8 equal pieces. Otherwise vm_odd_exact_from and the averaged solutions return
+   VM_NO_LAW. If `function` is null, all functions that use the force and return a status return VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -14853,7 +14912,8 @@ VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, v
 
 /* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass. Returns NaN
    for a null pointer, for a force that no constructor made, for x0 = 0 or infinite x0, and where there is no vibration.
-   The relative error is at most 1e-13 (float 1e-5). */
+   The relative error is at most 1e-13 (float 1e-5), for a Duffing force where the terms named at vm_duffing_period do
+   not cancel. */
 VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -14863,7 +14923,8 @@ VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 
 /* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass. The action is
    the integral of v dx over a period, divided by 2 pi. It stays nearly constant while the force changes slowly. Returns
-   NaN where vm_odd_period does, but 0 for x0 = 0. The accuracy is that of vm_odd_period. */
+   NaN where vm_odd_period does, but 0 for x0 = 0 and for a body at rest in a well. The accuracy is that of
+   vm_odd_period. */
 VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -14885,7 +14946,7 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
     vm_real phi, now[2];
     int status;
     if (!force || !force->at || !x || !v) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(force->k1) || !VM_IS_FINITE(force->k3)) return VM_NOT_FINITE;
     status = vmi_orbit_of_state(force, x0, v0, &orbit);
     if (status) return status;
     now[0] = x0;
@@ -15614,7 +15675,8 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 /* Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own: laws[0] is k1, N/m, and laws[1] is
    k3, N/m^3. k1 and k3 may have either sign; the two laws must outlive the force. The force is for a vm_odd_problem
    (oscillators/odd_motion.h), whose field `stiffness`, a factor, multiplies k1 and k3. The functions for constant mass
-   refuse this force with VM_NO_LAW. If `laws` is null, all functions refuse the force with VM_BAD_ARGUMENT. */
+   refuse this force with VM_NO_LAW, except for a body at rest at x = 0. If `laws` is null, all functions refuse the
+   force with VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
 {
     vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init replaces the zeros by k1 and k3 at t = 0 */
@@ -15714,9 +15776,9 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
    s/c1^2 is so small that numbers of this size lose digits, the motion is right until it comes back close to x = 0.
    Results lose digits where A^4, c1^2, (c3 A^2)^2 or the square of the largest velocity underflows, and are NaN where
    one of these numbers, lambda t or the action overflows; so choose a unit of length near A in float. NaN is also
-   written to x and v if the motion goes to infinity, which includes the border of such motions, A^2 = -c1/c3 with c1 >
-   0 and c3 < 0, and if an argument is infinite or NaN. If x or v is a null pointer, nothing is written. Equations: DLMF
-   22.19(ii). */
+   written to x and v for c1 = c3 = 0, if the motion goes to infinity, which includes the border of such motions, A^2 =
+   -c1/c3 with c1 > 0 and c3 < 0, and if an argument is infinite or NaN. If x or v is a null pointer, nothing is
+   written. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;
@@ -16484,11 +16546,7 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     vmi_orbit orbit;
     int status;
     vm_real f;
-    p->n = 0;
-    p->reach = 0;
-    p->at_rest = 0;
     orbit.size = 0;
-    p->start = orbit;
     status = o->force.at(&o->force, o->x, &f);
     if (!status) status = vmi_odd_first_velocity(p);
     if (status) return status;
@@ -17083,9 +17141,9 @@ typedef struct VM_TAG(vmi_linear_mass) {
 
 /* Writes to *linear the mass that a law describes between 0 and t, if this mass is linear in time. Some closed forms
    hold only for a linear mass. Returns VM_NO_LAW unless vmi_law_exponential_form finds base = rate; so it refuses every
-   table and every quadratic law, even if the mass is in fact linear. Returns VM_BAD_MASS where the mass is not positive
-   at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a number that is infinite or
-   NaN. */
+   table, and every quadratic law that is not constant, even if the mass is in fact linear. Returns VM_BAD_MASS where
+   the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a
+   number that is infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;
@@ -17269,42 +17327,39 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    error of averaging, which depends on the field `method`, and of the rounding error, which tests bound by 12 eps.
    Returns NaN for a null pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is
    not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
-   vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite.
+   vm_vdp_averaged_rhs instead). For c < 0, and for c > 0 backward in time, it also returns NaN from the time at which
+   the amplitude becomes infinite.
    Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. If the mass is linear in time, F is proportional to the integral of dt/m; hence
-   the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. So that nothing overflows, the code uses e^-|F|
-   and divides by the larger of the two terms in the bracket. */
+   the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. So that nothing overflows, the code uses
+   e^(-|F|/2) and divides by the larger of the two terms in the bracket. */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
     vmi_linear_mass m;
-    vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
+    vm_real F, half, limit, root, size, scale, gain = 1, free_part = 1, denominator;
     if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (vmi_vdp_has_stiffness_law(v)) return VM_NAN;
     if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
+    if (first_A == 0) return first_A;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
-    e = vmi_exp(-VM_FABS(F), 0);
+    half = vmi_exp(-VM_FABS(F) / 2, 0);
     limit = 2 * v->c * (v->a3 / v->a1) * m.integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(limit));
-    size = VM_FABS(first_A) * root; /* the square of `size` is added to free_term with the sign of `limit` */
-    if (F > 0) {
-        numerator = 1;
-        free_term = e;
-    } else {
-        numerator = e;
-        free_term = 1;
-    }
-    if (size > 1) {
+    size = VM_FABS(first_A) * root; /* the square of `size` is added to that of free_part, with the sign of `limit` */
+    if (F > 0) free_part = half;
+    else gain = half;
+    if (size > free_part) {
         scale = VM_COPYSIGN(1 / root, first_A);
-        denominator = free_term / size / size + VM_COPYSIGN(1, limit);
+        denominator = (free_part / size) * (free_part / size) + VM_COPYSIGN(1, limit);
     } else {
-        scale = first_A;
-        denominator = free_term + VM_COPYSIGN(size * size, limit);
+        scale = first_A / free_part;
+        denominator = 1 + VM_COPYSIGN((size / free_part) * (size / free_part), limit);
     }
     if (denominator < 0) return VM_NAN;
-    return scale * VM_SQRT(numerator / denominator);
+    return scale * gain / VM_SQRT(denominator);
 }
 
 /* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must
@@ -17339,7 +17394,7 @@ VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *m
    The array y = (x, x') is in m and m/s; `vdp` points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where
    no constructor made the mass, VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked), VM_BAD_MASS
    for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, and VM_DOMAIN for alpha < 0
-   and for t outside a table. These statuses stop the integration. */
+   and for a t at which a law has no value. These statuses stop the integration. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;
@@ -17705,13 +17760,14 @@ VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, c
 typedef struct VM_TAG(vmi_vdp_sizes) {
     vm_real psi, J; /* terms of order epsilon^2 in the phase and in ln J, in the transformation to the motion */
     vm_real start;  /* terms of order epsilon^3 in ln J, in the transformation to the mean motion */
+    vm_real third;  /* terms of order epsilon^3 with the derivative of m'/m, in the phase and in ln J */
     vm_real ratio;  /* estimated ratio of the terms of one order to the terms of the next lower order */
 } vmi_vdp_sizes;
 
 /* Computes the bounds in vmi_vdp_sizes for the disturbances *now. `rate` is (|nu| + |p| + |a|)/W, with the symbols at
-   the top of this file. The numerical factors are fitted to the largest values of the functions of the transformation
-   for alpha from 0.2 to 12. */
-VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate)
+   the top of this file, and `bend` is the derivative of m'/m, divided by W^2. The numerical factors are fitted to the
+   largest values of the functions of the transformation for alpha from 0.2 to 12. */
+VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate, vm_real bend)
 {
     const vm_real d = r->pi / (2 * VM_PI), d2 = d * d, d3 = d2 * d, d4 = d2 * d2;
     const vm_real e = VM_FABS(now->e), e1 = VM_FABS(now->e1), Q = VM_FABS(now->Q0), E = VM_FABS(now->E0);
@@ -17721,6 +17777,7 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
     s.J = VM_C(0.18) * d2 * (e * e + d * e1) + VM_C(1.5) * d2 * Q + VM_C(2.4) * d2 * E;
     s.start = e * (VM_C(0.06) * d4 * e * e + VM_C(0.12) * d3 * e1 + VM_C(0.5) * d4 * Q + VM_C(0.9) * d4 * E) +
               rate * (VM_C(0.14) * d4 * e1 + VM_C(1.1) * d3 * Q + VM_C(2.1) * d3 * E);
+    s.third = VM_C(0.06) * d4 * e * bend;
     s.ratio = d * (e + rate);
     return s;
 }
@@ -17839,7 +17896,7 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *
     const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p, now->k_rate)) + VM_FABS(now->p) +
                           VM_FABS(now->a)) /
                          W;
-    return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
+    return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate, now->bend / W / W);
 }
 
 /* Writes the absolute values of the numbers E_k = G_k/W^(k+2) of oscillators/expansion.h, for the oscillator without
@@ -17874,8 +17931,8 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
     mean->J_error += sizes.start;
     mean->psi_error += sizes.psi;
     vmi_expansion_find_sizes(&p->osc.ripple, E, &terms);
-    mean->J_third += terms.J[4];
-    mean->psi_third += terms.psi[3];
+    mean->J_third += terms.J[4] + sizes.third;
+    mean->psi_third += terms.psi[3] + sizes.third;
     mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
 }
 
@@ -18528,8 +18585,8 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     vmi_expansion_sizes terms;
     vmi_vdp_absolute_E(&mean->now, W, E);
     vmi_expansion_find_sizes(r, E, &terms);
-    third += 2 / n * (mean->psi_third + terms.psi[3] + terms.psi[4]);
-    third += 2 / (n + 2) * (mean->J_third + terms.J[3] + terms.J[4]);
+    third += 2 / n * (mean->psi_third + terms.psi[3] + terms.psi[4] + now.third);
+    third += 2 / (n + 2) * (mean->J_third + terms.J[3] + terms.J[4] + now.third);
     error = 2 * third + fast + rounding;
     *second = 2 * back + error;
     if (!(*second < largest_known)) *second = VM_INFINITY;
@@ -18721,11 +18778,12 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
 /* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon is feed/(m W), where m
    is the mass, and W the rate of the Ateb phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A
    (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1.
-   The errors of both results are O(epsilon^4). Mass and stiffness are those at t = 0. The fields method and reactive
-   must be valid, but the result does not depend on them, nor on a1 to a3. Returns VM_BAD_ARGUMENT for null pointers, an
-   unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS
-   for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for
-   a table whose times do not rise or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there
+   The number epsilon must be small: where it is above 4, the computed period is negative for alpha = 1. The errors of
+   both results are O(epsilon^4). Mass and stiffness are those at t = 0. The fields method and reactive must be valid,
+   but the result does not depend on them, nor on a1 to a3. Returns VM_BAD_ARGUMENT for null pointers, an unknown
+   method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a
+   mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for a
+   table whose times do not rise or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there
    is no limit cycle, that is where feed and c do not have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {
@@ -18836,8 +18894,8 @@ VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
     return p->k * vmi_pow_checked(rho, p->alpha - 1);
 }
 
-/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi]. The relative
-   error of rho is at most 2 eps, and that of phi at most 4 eps. If a pointer is null, nothing is done. */
+/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in [-pi, pi], -pi only for y = -0.
+   The relative error of rho is at most 2 eps, and that of phi at most 4 eps. If a pointer is null, nothing is done. */
 VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
     if (!rho || !phi) return;
@@ -18889,8 +18947,8 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
    y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and for
    a rotor without mass or stiffness; VM_NOT_FINITE where t, the mass or its rate is infinite or NaN (other numbers are
-   not checked); VM_BAD_MASS for a mass that is not positive; VM_DOMAIN for t outside a table of the mass. These
-   statuses stop the run. */
+   not checked); VM_BAD_MASS for a mass that is not positive; VM_DOMAIN for a t at which the law of the mass has no
+   value. These statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -18901,6 +18959,7 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     const int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
+    if (z.re == 0 && z.im == 0) stiffness = 0; /* the force is 0 at z = 0, where K_e may be infinite */
     force = vmi_jeffcott_loads(r, t, rate, z, v);
     dydt[0] = v.re;
     dydt[1] = v.im;
@@ -18919,8 +18978,8 @@ typedef struct VM_TAG(vmi_jeffcott_state) {
 
 /* Finds the rotor's mass and frequency at time t. Returns VM_BAD_STIFFNESS where small vibrations have no frequency, as
    for F_e = rho^3; VM_BAD_ARGUMENT for a rotor without mass or stiffness; VM_BAD_MASS for a mass that is not positive;
-   VM_NOT_FINITE for a number that is infinite or NaN; VM_DOMAIN for t outside a table of the mass, and where the
-   frequency underflows. */
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_DOMAIN for a t at which the law of the mass has no value, and
+   where the frequency underflows. */
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
     vm_real stiffness, slope;
@@ -18943,7 +19002,7 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
    vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1 or
    A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness; VM_NOT_FINITE for a
    number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where K_e(0) is not
-   positive; VM_DOMAIN for t outside a table of the mass. y and motion may be the same array. */
+   positive; VM_DOMAIN for a t at which the law of the mass has no value. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
@@ -19104,7 +19163,8 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
    K_e(A). If K_e(A) > 0, forward whirl (sense >= 0) has W > 0, and backward whirl (sense < 0) has W < 0. If K_e(A) < 0,
    both W have the sign of g. A >= 0 is in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine
    epsilon), apart from the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A
-   < 0, for mass <= 0, where g^2 + m K_e(A) is negative, and for numbers that are infinite or NaN. */
+   < 0, for mass <= 0, where g^2 + m K_e(A) is negative, where g and K_e(A) are both 0, and for numbers that are
+   infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -19170,9 +19230,10 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads the error of psi
    is of order 1. If F_e is linear and the loads do not turn with z, the disc does not stay on a circle, and the
    equations are not valid. Returns VM_BAD_ARGUMENT for null pointers, for a rotor without mass or stiffness, and for a
-   negative field `nodes`; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not
-   positive; VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call
-   evaluates the force at `nodes` phases. */
+   negative field `nodes`; VM_NOT_FINITE where t, the mass, its rate, g or the stiffness is infinite or NaN, or A is NaN
+   (other numbers are not checked); VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if g^2 + m K_e(A) is
+   not positive; VM_DOMAIN for a t at which the law of the mass has no value. Each call evaluates the force at `nodes`
+   phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -19462,8 +19523,8 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The small radial velocity is
    neglected: the velocity is i W z, where W is the frequency of the whirl. Returns VM_BAD_ARGUMENT for null pointers
    and a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass
-   that is not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a radius that is not positive
-   or t outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
+   that is not positive; VM_BAD_STIFFNESS where there is no circular whirl or K_e is NaN; VM_DOMAIN for a radius that is
+   not positive or a t at which the law of the mass has no value; VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -19516,9 +19577,10 @@ VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int se
    whirl P and a backward whirl N, which do not disturb each other: z = P + N, z' = i (W1 P + W2 N) with the frequencies
    W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each of the two whirls is computed by vm_jeffcott_whirl_at, with the
    gyroscopic constant g and any share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates
-   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_NO_LAW also means that the slope dK_e/drho at
-   the deflection |z| of the start is not 0. Only this slope is tested: if the shaft is not linear but has the slope 0
-   there, for example K_e = k + c rho^2 at z = 0, the result is wrong. */
+   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_BAD_STIFFNESS also means that K_e is not
+   positive, and VM_NO_LAW also means that the slope dK_e/drho at the deflection |z| of the start is not 0. Only this
+   slope is tested: if the shaft is not linear but has the slope 0 there, for example K_e = k + c rho^2 at z = 0, the
+   result is wrong. */
 VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
 {
     vm_real mass0 = 0, mass = 0, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};
@@ -19602,8 +19664,8 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
    The array y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or
    where no constructor made the mass, VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked),
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t
-   outside a table. These statuses stop the integration. */
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or a t at
+   which a law has no value. These statuses stop the integration. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -19672,9 +19734,10 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
    - x vibrates with the mean amplitude A, m, and the Ateb phase psi. A does not contain the ripple of the amplitude
    within a period. Any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
    constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
-   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0, for t outside a table, and where the ripple is
-   as large as the motion. The ripple is as large as the motion where |(2r - 1) m'/m| is about twice the rate of psi,
-   for example where the mass m tends to 0; r is the field `reactive`. modes and y may be the same array. */
+   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0, for a t at which a law has no value, and where
+   the ripple is as large as the motion. The ripple is as large as the motion where |(2r - 1) m'/m| is about twice the
+   rate of psi, for example where the mass m tends to 0; r is the field `reactive`. modes and y may be the same array.
+   */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -19870,8 +19933,8 @@ VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses 
    vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for a negative number of connections, and for a mass law
    that no constructor made; VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked); VM_BAD_MASS for
    a mass that is not positive; VM_BAD_STIFFNESS for a stiffness that is not positive; VM_DOMAIN for an exponent < 0 and
-   for t outside a table. If the function `force` returns a number other than 0, returns this number. These statuses
-   stop the run. */
+   for a t at which a law has no value. If the function `force` returns a number other than 0, returns this number.
+   These statuses stop the run. */
 VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -19892,7 +19955,8 @@ VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 /* Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s.
    p = y - x is the relative coordinate and X = (m1 x + m2 y)/(m1 + m2) the mass centre. V = (m1 x' + m2 y')/(m1 + m2)
    is the velocity of the mass centre, for the masses at time t. Returns VM_BAD_ARGUMENT for null pointers, otherwise
-   the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
+   the statuses of vm_coupled_pair_rhs; VM_NOT_FINITE also means that a number of y is infinite or NaN. modes and y may
+   be the same array. */
 VM_API int vm_coupled_pair_to_modes(const vm_coupled_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -19910,7 +19974,8 @@ VM_API int vm_coupled_pair_to_modes(const vm_coupled_pair *p, vm_real t, const v
 }
 
 /* Converts the modes (p, p', X, V) of two bodies to the motion y = (x, y, x', y').
-   This is the inverse of vm_coupled_pair_to_modes, with its statuses. y and modes may be the same array. */
+   This is the inverse of vm_coupled_pair_to_modes, with its statuses, for `modes` in place of y. y and modes may be the
+   same array. */
 VM_API int vm_coupled_pair_from_modes(const vm_coupled_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -19962,22 +20027,27 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
    functions of oscillators/routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive
    *problem. The equation of the oscillator is exact. The small force -mu (m2'/m2 - m1'/m1) V also acts on the
    oscillator if `reactive` is 1, the mass centre moves, and m1'/m1 differs from m2'/m2. mu is the reduced mass, V the
-   velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there is
-   not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then the
-   motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. An error
-   leaves *pair and *problem as they were. */
+   velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0; VM_NOT_FINITE also means that a
+   number of y0 is infinite or NaN. Returns VM_NO_LAW where there is not exactly one connection, where there are further
+   forces, and where `reactive` is neither 0 nor 1, because then the motion of the mass centre depends on the vibration.
+   In these three cases integrate vm_coupled_pair_rhs. An error leaves *pair and *problem as they were. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
     vmi_pair_masses now;
     vm_osc_problem o;
     vm_real momentum;
-    int status = vmi_coupled_now(pair, 0, &now);
+    int i, status = vmi_coupled_now(pair, 0, &now);
     if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, y0)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     if (pair->n != 1 || pair->force || (pair->reactive != 0 && pair->reactive != 1)) return VM_NO_LAW;
     o.alpha = pair->connections[0].alpha;
     o.mass = vm_law_user(vmi_coupled_reduced_mass, pair);
+    for (i = 0; i < 2; i++) { /* the reduced mass changes as fast as the faster of the two masses */
+        const vm_real change_time = pair->mass[i].function ? pair->mass[i].change_time : 0;
+        if (change_time > 0 && !(o.mass.change_time > 0 && o.mass.change_time < change_time))
+            o.mass.change_time = change_time;
+    }
     o.stiffness = vm_law_linear(pair->connections[0].k, 0);
     o.reactive = pair->reactive;
     o.damping = pair->damping;
@@ -20145,8 +20215,8 @@ VM_API void vmi_forced_motion(const vm_forced *f, const vmi_forced_parameters *n
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
    to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE
    for t or a field that is infinite or NaN (y is not checked); VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a
-   stiffness that is not positive; VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These
-   statuses stop the run. */
+   stiffness that is not positive; VM_DOMAIN for alpha < 0, a frequency that is not positive or a t at which a law has
+   no value. These statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -20276,8 +20346,8 @@ VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, v
 
 /* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude minus
    its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where alpha is
-   not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the amplitude minus its ripple is not
-   positive. y and motion may be the same array. */
+   not 1. The statuses are those of vm_forced_rhs; VM_NOT_FINITE also means that a number of the motion is infinite or
+   NaN, and VM_DOMAIN that the amplitude minus its ripple is not positive. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -20295,8 +20365,9 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
 }
 
 /* Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta). This is the inverse of
-   vm_forced_to_averaged: it adds the ripple to the mean amplitude. The statuses are those of vm_forced_rhs; VM_DOMAIN
-   also means that A <= 0 or that A plus its ripple is negative. motion and y may be the same array. */
+   vm_forced_to_averaged: it adds the ripple to the mean amplitude. The statuses are those of vm_forced_rhs;
+   VM_NOT_FINITE also means that a number of y is infinite or NaN, and VM_DOMAIN that A <= 0 or that A plus its ripple
+   is negative. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;
@@ -20328,7 +20399,7 @@ VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real 
 typedef struct VM_TAG(vm_steady_state) {
     vm_real nu;         /* frequency of the force, rad/s */
     vm_real A;          /* mean amplitude, m; vm_forced_from_averaged gives the motion with its ripple */
-    vm_real delta;      /* phase by which the vibration leads the force, rad, -pi < delta <= pi */
+    vm_real delta;      /* phase by which the vibration leads the force, rad, -pi <= delta <= pi */
     vm_real trace, det; /* trace and determinant of the linearized equations: small deviations from the steady vibration
                            vary as e^(lambda t), where lambda^2 - trace lambda + det = 0 */
     int stable;         /* 1 if the vibration is stable, which means det > 0 and trace < 0; else 0. If det < 0, the
@@ -20495,9 +20566,9 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
 }
 
 /* Largest amplitude, m, of the amplitude-frequency curve. The curve has this amplitude where it crosses the backbone nu
-   = w(A), on which the frequency of the force is the natural frequency. The result is infinite without damping. The
-   relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the parameters at time t are
-   not in their domain. */
+   = w(A), on which the frequency of the force is the natural frequency. The result is infinite without damping, but NaN
+   if the force is 0, too. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where
+   the parameters at time t are not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;
@@ -20640,10 +20711,9 @@ VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
             odd += g[i] / (vm_real)n * turn.im;
             step = (step + k % n) % n;
         }
-        p->cosine[k] = 2 * even;
+        p->cosine[k] = k > 0 ? 2 * even : even;
         p->sine[k] = 2 * odd;
     }
-    p->cosine[0] /= 2;
     return VM_OK;
 }
 
@@ -20663,7 +20733,7 @@ VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
 
 /* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. The array y = (x, x', theta) is in m,
    m/s and rad; `periodic` points to a prepared vm_periodic. Returns the statuses of vm_periodic_init, now for the
-   fields at the time t, and VM_DOMAIN for t outside a table. These statuses stop the integration. */
+   fields at the time t, and VM_DOMAIN for a t at which a law has no value. These statuses stop the integration. */
 VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -20869,7 +20939,8 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 
 /* The excess, which is delta' of the averaged equations times the absolute value of the sum S. The excess is computed
    at a phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0
-   are the steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. */
+   are the steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. For
+   alpha = 0 the limit includes w |S|, which then does not tend to 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -20878,6 +20949,7 @@ VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
     const vm_real A = vmi_periodic_amplitude(z, sums.S);
     const vm_real limit = -VM_COPYSIGN(z->p, z->push) * sums.C; /* p C sign(S), where sign(S) is -sign(push p) */
     vm_real w;
+    if (A == 0 && z->exponent <= VM_C(-0.5)) return limit + z->w1 * z->w1 * VM_FABS(z->p / z->push); /* alpha = 0 */
     if (A == 0) return limit;
     w = z->w1 * vmi_pow_checked(A, z->exponent);
     return (w - z->nu) * VM_FABS(sums.S) + limit;
@@ -20946,10 +21018,11 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
    parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
    returns how many there are (this number may be larger than room), or a negative status. The function computes at 360
    phases, one degree apart, a function of the phase that is 0 for a steady vibration, and looks for its changes of
-   sign. It may therefore miss two vibrations whose phases differ by less than a degree; such vibrations lie next to a
-   fold of the resonance curve. The function takes about as long as the computation of 4000 sines. The negative statuses
-   are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0,
-   which the comment of vm_periodic_curve explains. */
+   sign. It may therefore miss two vibrations whose phases differ by less than a degree. Such vibrations lie next to a
+   fold of the resonance curve, or, if the damping is small, close to a phase with S = 0, where their amplitudes may
+   differ much. For a harmonic force use vm_forced_steady_states. The function takes about as long as the computation of
+   4000 sines. The negative statuses are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for
+   room < 0, and VM_DOMAIN for q = 0, which the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
@@ -21091,7 +21164,7 @@ VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
 
 /* Equations of motion of two weakly coupled oscillators, for rk45 or rk87. y = (x_0, x_1, x_0', x_1') is in m and m/s;
    pair points to a prepared vm_grounded_pair. The statuses are those of vm_grounded_pair_init at the time t, and
-   VM_DOMAIN for t outside a table; they stop the run. y is not checked. */
+   VM_DOMAIN for a t at which a law has no value; they stop the run. y is not checked. */
 VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -21257,7 +21330,8 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
 /* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
    x_1'). This is the inverse of vm_grounded_pair_to_averaged: it adds the ripples to the mean amplitudes. The statuses
    are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN also means that
-   an amplitude is not positive or that an amplitude plus its ripple is negative. motion and y may be the same array. */
+   an amplitude is not positive or that an amplitude plus its ripple is negative. Both also occur where the frequencies
+   are in a resonance that the field `vibrations` does not give. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;
@@ -21575,7 +21649,7 @@ struct VM_TAG(vm_scene_body) {
     int listed_orders;      /* bit (1 << order) for the `order` of each effect on the body that is checked so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
-    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or adds `step` to `centre` */
+    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* adds `step` to `centre`; may be NULL */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -21710,8 +21784,9 @@ typedef struct VM_TAG(vm_budget) vm_budget;
    since the start, and the defects, which are the differences. vm_scene_keep_budget makes a scene keep a budget, and
    vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
-    vm_vec3 impulse;          /* N s: sum of the impulses of effects and of the external impulses of jumps */
-    vm_vec3 angular_impulse;  /* N m s, about the origin: angular impulse of effects and external impulses of jumps */
+    vm_vec3 impulse;          /* N s: sum of the impulses of effects, of the external impulses of jumps, and of the
+                                 impulses of landings and of joints at the ground */
+    vm_vec3 angular_impulse;  /* N m s, about the origin: sum of the angular impulses that belong to `impulse` */
     vm_vec3 brought;          /* N s: momentum that streams and mass laws brought to the bodies */
     vm_vec3 brought_angular;  /* N m s, about the origin: angular momentum that streams and mass laws have brought */
     vm_real work;             /* J: work of the effects, without reactive forces */
@@ -21806,10 +21881,11 @@ VM_INLINE void vmi_effect_act(const vm_effect *e, vm_real f)
 /* scenes/motions.h - the bodies of a scene, and how each of them moves
 
    A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
-   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has three or four
-   functions: `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes
-   the derivatives of the state from the load, and `check` refuses an inertia that the body cannot have. A line and an
-   axle have no function `check`.
+   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has up to five functions:
+   `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes the
+   derivatives of the state from the load, `shift` adds to the field `centre` the step by which a jump has moved the
+   mass centre, so that the points of the body stay where they are, and `check` refuses an inertia that the body cannot
+   have. A line has no function `check`, an axle neither `check` nor `shift`.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
@@ -21861,6 +21937,12 @@ VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->v.x = state[1];
 }
 
+VM_API void vmi_line_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    (void)state;
+    b->centre = vm_add(b->centre, step);
+}
+
 /* A body on a line. mass is in kg, the position x in m, the velocity v in m/s. */
 VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
 {
@@ -21870,6 +21952,7 @@ VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
     b.start.v.x = v;
     b.put = vmi_line_put;
     b.get = vmi_line_get;
+    b.shift = vmi_line_shift;
     b.accelerate = vmi_single_accelerate;
     return b;
 }
@@ -21943,6 +22026,14 @@ VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body 
     now->inertia.xx = now->inertia.yy = now->inertia.zz / 2;
 }
 
+VM_API void vmi_plane_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    vm_real s, c;
+    vmi_sincos(state[VMI_PLANE_ANGLE], &s, &c);
+    b->centre.x += c * step.x + s * step.y;
+    b->centre.y += c * step.y - s * step.x;
+}
+
 /* A body in the plane. mass is in kg, the moment of inertia about the mass centre in kg m^2 (> 0), the position r in m,
    the angle in rad (anticlockwise), the velocity v in m/s, omega in rad/s. r.z and v.z have no effect. */
 VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
@@ -21958,6 +22049,7 @@ VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 
     b.start.r.z = b.start.v.z = 0;
     b.put = vmi_plane_put;
     b.get = vmi_plane_get;
+    b.shift = vmi_plane_shift;
     b.accelerate = vmi_plane_accelerate;
     b.check = vmi_plane_check;
     return b;
@@ -22005,6 +22097,7 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
     b.start.v = v;
     b.put = vmi_point_body_put;
     b.get = vmi_point_body_get;
+    b.shift = vmi_line_shift;
     b.accelerate = vmi_point_body_accelerate;
     b.check = vmi_point_body_check;
     return b;
@@ -22063,15 +22156,18 @@ VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
     return *i;
 }
 
+/* Writes the motion of a free body into the state. The quaternion gets the length 1, because its errors are judged by
+   the absolute tolerance of the integrator. */
 VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     const vmi_mat3 axes = vmi_rotation(now->q);
+    const vm_quat q = vm_unit_quat(now->q);
     b->invertible = vmi_invertible_inertia(&now->inertia);
     vmi_point_body_put(b, now, angle, state);
-    state[VMI_FREE_Q] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
-    state[VMI_FREE_Q + 1] = now->q.x;
-    state[VMI_FREE_Q + 2] = now->q.y;
-    state[VMI_FREE_Q + 3] = now->q.z;
+    state[VMI_FREE_Q] = q.w;
+    state[VMI_FREE_Q + 1] = q.x;
+    state[VMI_FREE_Q + 2] = q.y;
+    state[VMI_FREE_Q + 3] = q.z;
     vmi_set3(state + VMI_FREE_OMEGA, vmi_times_transposed(&axes, now->omega));
 }
 
@@ -22082,6 +22178,12 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->q = vmi_get_quat(state + VMI_FREE_Q);
     axes = vmi_rotation(now->q);
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
+}
+
+VM_API void vmi_free_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    const vmi_mat3 axes = vmi_rotation(vmi_get_quat(state + VMI_FREE_Q));
+    b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
 }
 
 /* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod; its spin about
@@ -22096,6 +22198,7 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
     b.start = *start;
     b.put = vmi_free_put;
     b.get = vmi_free_get;
+    b.shift = vmi_free_shift;
     b.accelerate = vmi_free_accelerate;
     b.check = vmi_check_body;
     return b;
@@ -22347,8 +22450,8 @@ VM_API vm_scene_body vm_scene_body_growing_free(vm_scene_body body)
 #ifndef VARMASS_SCENES_FORCES_H
 #define VARMASS_SCENES_FORCES_H
 
-/* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign. The result is NaN
-   for alpha < 0. For alpha = 1, 2 and 3 the power function is not called. */
+/* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign; alpha must not be
+   negative. For alpha = 1, 2 and 3 the power function is not called. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
@@ -22396,12 +22499,12 @@ VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real re
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
 /* The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y). It points to the origin of the plane. r
-   is in m and the stiffness k in N/m^alpha. If alpha < 0, the force is 0 at r = 0 and NaN everywhere else. The
-   components are written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
+   is in m and the stiffness k in N/m^alpha; alpha must not be negative. The components are written to *fx and *fy; if
+   one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(r, k, alpha) / r : 0;
+    const vm_real r = vmi_hypot(x, y), f = r != 0 ? vm_force_spring(r, k, alpha) / r : 0;
     *fx = f * x;
     *fy = f * y;
 }
@@ -22837,7 +22940,9 @@ VM_API int vmi_gravitation_check(const vm_effect *e)
 /* Gravitation between two bodies, the force G M1 M2/r^2. G is in m^3/(kg s^2), 6.6743e-11 in nature; M1 and M2 are the
    present masses and r is the distance of the mass centres. The force on a body in the plane stays in the plane.
    vm_scene_start returns VM_NO_SUCH_BODY if `other` is VM_GROUND, VM_SAME_BODY if `other` is equal to `body`, and
-   VM_BAD_MOTION if one of the bodies is on a line or an axle. A run ends with VM_NOT_FINITE if the bodies meet. */
+   VM_BAD_MOTION if one of the bodies is on a line or an axle. If the bodies fall onto each other, a run ends with
+   VM_STEP_TOO_SMALL, since the force grows without limit; if they are at one place when a run starts, it ends with
+   VM_NOT_FINITE. */
 VM_API vm_effect vm_effect_gravitation(int body, int other, vm_real G)
 {
     vm_effect e = vmi_effect_gravitation(body, other, vmi_apply_gravitation);
@@ -22858,7 +22963,7 @@ VM_API void vmi_apply_central_gravity(const vm_effect *e, vm_real t, const vm_re
 /* Gravitation towards a centre at rest, the force mu M/r^2. mu is G times the mass in the centre, in m^3/s^2
    (3.986004418e14 for the Earth); M is the present mass of the body and r its distance from the centre. The argument
    centre is in m and inertial axes; for a body in the plane centre.z is not used. vm_scene_start returns VM_BAD_MOTION
-   if the body is on a line or an axle. */
+   if the body is on a line or an axle. If the body falls into the centre, a run ends as for vm_effect_gravitation. */
 VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
 {
     vm_effect e = vmi_effect_gravitation(body, VM_GROUND, vmi_apply_central_gravity);
@@ -23351,8 +23456,9 @@ VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 }
 
 /* Radius, mass and moment of inertia of the part of a band that is on the drum at the angle phi. If phi < 0, the drum
-   is bare. All results are NaN if phi is not finite, if the radius of the drum is not positive, if thickness, width or
-   density is negative, or if band is NULL. In double the relative errors are at most 1e-13, tested up to 30 turns. */
+   is bare. In layers, an angle that is a number of complete turns within rounding errors may count as a little more.
+   All results are NaN if phi is not finite, if the radius of the drum is not positive, if thickness, width or density
+   is negative, or if band is NULL. In double the relative errors are at most 1e-13, tested up to 30 turns. */
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
 {
     if (!band || !VM_IS_FINITE(phi) || !vmi_band_is_valid(band)) return vmi_band_none(VM_NAN, VM_NAN);
@@ -23494,7 +23600,7 @@ enum { VMI_LINK_LENGTH, VMI_LINK_RATE };
    where v and a are the velocity and acceleration of `here` relative to `there`. The force of the link changes d a by
    lambda S. S is a sum over both ends and all coordinates; each term is the mobility of the end along the coordinate,
    times the square of this coordinate of d. lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are at one
-   place or cannot move along the link, VM_NOT_FINITE if a number is not finite, and else VM_OK. */
+   place or cannot move along the link, VM_NOT_FINITE if S is NaN or negative, and else VM_OK. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
     /* A cord does not pull while the distance of its ends is shorter than its length by more than this fraction. The
@@ -24147,22 +24253,12 @@ VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
     return trace * square - vm_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
 }
 
-/* Adds to b->centre the vector `step` (in inertial axes) by which a jump has moved the mass centre of a body, so that
-   the points of the body stay where they are */
-VM_API void vmi_point_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
-{
-    const vmi_mat3 axes = vmi_point_axes(b, state);
-    b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
-}
-
-/* Checks a point of a body or of the ground, and makes jumps of the body call vmi_point_shift. The bodies must have
-   been checked before. */
+/* Checks a point of a body or of the ground. The bodies must have been checked before. */
 VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
 {
     if (!vmi_vec3_is_finite(at)) return VM_NOT_FINITE;
     if (body == VM_GROUND) return VM_OK;
     if (vmi_scene_check_coordinate(s, body, 0)) return VM_NO_SUCH_BODY;
-    s->bodies[body].shift = vmi_point_shift;
     return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
 }
 
@@ -24310,8 +24406,10 @@ VM_API vm_effect vm_effect_point_spring(int body, int other, const vm_point_spri
    holds for joints that nearly contradict each other, such as two rods almost in line, and for light bodies between
    heavy bodies, since the forces are refined until they fit the equations. An example is a point that two rods of 1 m
    hold near the line through their other ends. If the point is 1e-5 m beside this line, the relative errors of the
-   forces of the rods are 4e-16; if it is 1e-7 m beside the line, they are 4e-11. If the point is 2e-8 m beside the
-   line, or closer, the run ends with VM_SINGULAR.
+   forces of the rods are 4e-16; if it is 1e-7 m beside the line, they are 4e-11. These numbers are for deviations C
+   that are computed as exactly 0. Otherwise the rounding of C, about eps times the length l of a rod, adds about rate^2
+   eps l to the error of the acceleration C''. If the point is 2e-8 m beside the line, or closer, the run ends with
+   VM_SINGULAR.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -24354,7 +24452,8 @@ struct VM_TAG(vm_joint) {
     int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
     vm_vec3 at, other_at; /* m: the points of `body` and `other`, in the axes of these bodies */
     vm_real length;       /* m: length of a rod */
-    /* fields that the caller may read; each evaluation sets them, to 0 while a body of the joint is not present */
+    /* field that the caller may read; each evaluation in which the joints act sets it, to 0 while a body of the joint
+       is not present */
     vm_vec3 force; /* N, inertial axes: reaction on `body`; the reaction on `other` is opposite */
     /* fields of the last evaluation */
     int n_rows; /* number of equations */
@@ -24779,7 +24878,7 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
     const vm_joints *joints = (const vm_joints *)e->parts;
     int i, status = VM_OK;
     if (!joints->work) return VM_BAD_ARGUMENT;
-    if (e->body >= 0 && s->bodies[e->body].absent) return VM_IS_AWAY;
+    if (s->bodies[e->body].absent) return VM_IS_AWAY;
     for (i = 0; i < joints->n_joints; i++) status = vmi_first_error(status, vmi_joint_check(joints->joints + i, s));
     if (!VM_IS_FINITE(joints->rate)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (joints->rate <= 0) status = vmi_first_error(status, VM_DOMAIN);
@@ -25089,16 +25188,18 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 /* Computes the budget of a scene in the state y at time t: the momentum and energy of the bodies, the supply from
    outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
    constraints: a line, an axle and the plane hold a body by reactions, which the supply does not include. Returns
-   VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative; VM_NOT_STARTED if the scene
-   was not started; VM_NOT_FINITE if the state or a mass that a law gives is not finite; the status of a vm_law that
-   fails; and else VM_OK. */
+   VM_BAD_ARGUMENT if the scene keeps no budget, `budget` is the struct given to vm_scene_keep_budget (which holds the
+   values at the start), a pointer is NULL or a count is negative; VM_NOT_STARTED if the scene was not started;
+   VM_NOT_FINITE if the state or a mass that a law gives is not finite; the status of a vm_law that fails; and else
+   VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
     const vm_real *sums;
     vm_budget b;
     int status;
-    if (!start || !y || !budget || !vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
+    if (!start || !y || !budget || budget == start) return VM_BAD_ARGUMENT;
+    if (!vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     if (!vmi_all_finite(vm_scene_size(scene), y)) return VM_NOT_FINITE;
     b = *start;
@@ -25476,8 +25577,8 @@ VM_API vm_impulse vmi_event_impulse(const vm_event *e)
 }
 
 /* Computes the jump on a line and on an axle. Let `sign` be -1 for a part that separates and 1 for a body that is
-   attached. The velocity of the body becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and its mass centre
-   moves by the fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v are mass and
+   attached. The velocity of the body becomes v1 = v + (sign m (v2 - v) + impulse)/(M + sign m) (24), and its mass
+   centre moves by the fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v are mass and
    velocity of the body, m and v2 those of the part or of the attached body; on an axle M and m are moments of inertia.
    Line and axle use the same formulas, because the numbers that a line or an axle does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
@@ -25492,8 +25593,8 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     *b = *body;
     if (!(mass > 0)) return VM_BAD_MASS;
     b->mass = mass;
-    b->v.x = (body->mass * body->v.x + m * other->v.x + external.linear.x) / mass;
-    b->omega.z = (body->mass * body->omega.z + m * other->omega.z + external.couple.z) / mass;
+    b->v.x = body->v.x + (m * (other->v.x - body->v.x) + external.linear.x) / mass;
+    b->omega.z = body->omega.z + (m * (other->omega.z - body->omega.z) + external.couple.z) / mass;
     b->r.x = body->r.x + m / mass * (other->r.x - body->r.x);
     return VM_OK;
 }
@@ -25564,8 +25665,8 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 }
 
 /* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. For a
-   growing body this position is a part of the state. For a body at whose points effects act, the field `centre` is the
-   vector by which jumps have moved the mass centre. */
+   growing body this position is a part of the state. For any other body, the field `centre` is the vector by which
+   jumps have moved the mass centre. */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -25586,9 +25687,9 @@ VM_API void vmi_scene_wake(vm_scene *s)
         if (s->effects[i].settle) s->effects[i].idle &= VMI_IDLE_SWITCHED_OFF;
 }
 
-/* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump, because the mass
-   that a law gives does not include the mass that a jump adds or takes away. */
+/* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated.
+   part_or_NULL is NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump,
+   because the mass that a law gives does not include the mass that a jump adds or takes away. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;
@@ -25855,6 +25956,7 @@ VM_API vm_real vmi_when_contact(const vm_event *e, vm_real t, const vm_real *y)
 
 VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
 {
+    if (e->body < 0) return VM_NO_SUCH_BODY;
     return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
 }
 
@@ -25882,7 +25984,9 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     vmi_body_point p;
     vm_vec3 normal, impulse;
     vm_real mobility, v;
-    int status = vmi_event_weigh(e, t, y);
+    int status;
+    if (s->bodies[e->body].away) return VM_IS_AWAY;
+    status = vmi_event_weigh(e, t, y);
     if (status) return status;
     vmi_point_now(s, e->body, contact->at, y, &p);
     vmi_contact_height(contact, &p, &normal);
@@ -25912,7 +26016,8 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 /* Lets the body of a vm_event_contact land without a bounce: at the event an impulse takes away the velocity of the
    contact's point along the normal. The other velocities of the body change only by this impulse. Afterwards
    vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has not made the
-   event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. */
+   event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. A run ends with
+   VM_IS_AWAY if the body is not present. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;
@@ -25962,19 +26067,22 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 }
 
 /* Applies to y, in the order of the list, each event that is due at the time t. Returns the first status other than
-   VM_OK that an event gives, or VM_OK if all give VM_OK. After an error (a negative status) no further event is
-   applied; the error is returned even if an earlier event has stopped the run. */
+   VM_OK that an event gives, or VM_OK if all give VM_OK. After an error (a negative status) no further action is
+   carried out; crossings that are only counted are counted nevertheless. The error is returned even if an earlier event
+   has stopped the run. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
-    for (i = 0; i < s->n_events && status >= 0; i++) {
+    for (i = 0; i < s->n_events; i++) {
         vm_event *e = s->events + i;
         const vm_real last_time = e->time;
+        const int is_only_counted = e->when && s->located[i].action == ODE_RECORD;
         long times = 1;
         int result = VM_OK;
+        if (status < 0 && !is_only_counted) continue;
         if (!vmi_scene_event_is_due(s, i, t, &times) || (e->most && e->count >= e->most)) continue;
-        if (e->when && s->located[i].action == ODE_RECORD) {
-            e->count += times;
+        if (is_only_counted) {
+            e->count = vmi_count(e->count, times);
             e->time = s->located[i].t;
             continue;
         }
@@ -26078,7 +26186,6 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     case ODE_WORK_TOO_SMALL: return VM_BAD_OPTIONS;
     case ODE_NOT_FINITE: return VM_NOT_FINITE;
     case ODE_STEP_TOO_SMALL: return VM_STEP_TOO_SMALL;
-    case ODE_MAX_STEPS: return VM_MAX_STEPS;
     default: return VM_NOT_INTEGRATED;
     }
 }
@@ -26108,6 +26215,27 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
     }
 }
 
+/* Lets rk45_init keep the fields `quiet` and `slack` of the events, by which the integrator ignores the sign of an
+   event function right after its event. If the last run ended at the time t by one of several events that happen
+   together, the new run could otherwise find the others again. */
+VM_API int vmi_scene_init_integrator(vm_scene *s, rk45 *r, int n, vm_real t, const vm_real *y, vm_real *work,
+                                     const rk45_options *o)
+{
+    int i, status;
+    for (i = 0; i < s->n_events; i++) {
+        ode_event *e = s->located + i;
+        e->past.slack = e->slack;
+        e->past.quiet = e->t == t ? e->quiet : 0;
+    }
+    status = rk45_init(r, vm_scene_rhs, s, n, t, y, o, work);
+    for (i = 0; i < s->n_events && status >= 0; i++) {
+        ode_event *e = s->located + i;
+        e->slack = e->past.slack;
+        e->quiet = e->past.quiet;
+    }
+    return status;
+}
+
 /* Prepares the integrator rk45 for the scene. Each number of a body has the absolute tolerance of the options. Each
    number of the budget has the tolerance VM_MAX, so that only the motion of the bodies determines the size of the
    steps. The tolerances are stored in work, after the numbers of the integrator. */
@@ -26118,6 +26246,8 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     const int n = vm_scene_size(s), n_bodies = s->budget ? n - VM_BUDGET_STATES : n;
     vm_real *atol = work + RK45_WORK(n);
     int i;
+    if (o.work_size && o.work_size < VM_SCENE_WORK(n)) return VM_BAD_OPTIONS;
+    if (o.rtol == 0) o.rtol = -1; /* no relative tolerance; rk45_init would replace 0 by the default */
     for (i = 0; i < n_bodies; i++) atol[i] = o.atol_each ? o.atol_each[i] : o.atol;
     for (; i < n; i++) atol[i] = VM_MAX;
     o.atol_each = atol;
@@ -26125,8 +26255,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     o.n_events = s->n_events;
     if (!vmi_all_finite(n, y)) return VM_NOT_FINITE;
     vmi_scene_keep_crossings(s);
-    s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
-    r->attempts = o.max_steps;
+    s->ode_status = vmi_scene_init_integrator(s, r, n, t, y, work, &o);
     if (s->ode_status < 0) return vmi_scene_status_of_ode(s->ode_status);
     return VM_OK;
 }
@@ -26135,6 +26264,7 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
 {
     int size;
     if (!vmi_scene_has_lists(s) || !vmi_scene_is_list(s->n_events, s->events)) return VM_BAD_ARGUMENT;
+    if (!vmi_scene_is_list(s->n_events, s->located)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
     if (t_end < *t) return VM_BAD_TIMES;
     if (!vmi_scene_is_started(s)) return VM_NOT_STARTED;
@@ -26154,13 +26284,16 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
      VM_BAD_TIMES          if t_end < *t;
      VM_NOT_STARTED        if the scene was not started;
      VM_SHORT_ARRAY        if scene.y_size or scene.work_size is set and too small;
-     VM_BAD_OPTIONS        if rk45 does not accept the options;
+     VM_BAD_OPTIONS        if rk45 does not accept the options, or options.work_size is set and too small;
    or an error that ends the run:
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
                            if a mass or an inertia reached 0, even if the steps became too short just before;
      VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
      the status of a vm_law                   if this law failed;
      VM_SINGULAR           if a link, a joint or a spring between points cannot act;
+     VM_BAD_ARGUMENT, VM_NO_SUCH_BODY
+                           if a function of vm_effect_varying, or a call of vm_scene_push_at, has a wrong argument;
+     another status        that a function of vm_effect_custom wrote to scene.status;
      VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 events happen at one instant, or four times in
                            succession the time between two crossings of the same event is less than
                            256 VM_EPSILON max(|*t|, |t_end|);

@@ -117,8 +117,9 @@
    COST
      docs/cost.md has the times of the functions that are used most, docs/counts.md the number of instructions of a call
      of nearly all. An ateb_plan has 560 [ateb_plan_bytes] bytes, in float 184 [ateb_plan_bytes_float]; the name in
-     brackets is that of the row of docs/numbers.md with this number. In double ateb_plan_saca_array needs 3 kB of stack
-     for a block of arguments; the stack frame of any other function is below 2 kB.
+     brackets is that of the row of docs/numbers.md with this number. On processors with wide vector registers
+     ateb_plan_saca_array needs 4 to 6 kB of stack (float 2 to 3 kB); the stack frame of any other function is below 2
+     kB.
 
    REFERENCES
      [1] L. Cveticanin, Dynamics of Mass Variable System, dissertation; numbers like (277) are its equations. Where [1]

@@ -71,10 +71,11 @@
      (ODE_RECORD), ends there (ODE_STOP), or restarts there (ODE_RESTART). Every event is found exactly once, even if
      several events lie in one step, at its end or at the same instant, and after rk45_restart too.
      Events whose times differ by no more than rounding errors happen together: all are counted, and their `change`
-     functions are called in the order of the list, before the run stops or goes on. After a stop, g(s.t, s.y) is 0 or
-     already has its new sign. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g
-     jumps, the event happens at the jump. After an event the sign of g is ignored as long as rounding errors alone
-     could cause it. So one contact of a body that bounces off the ground is one event.
+     functions are called in the order of the list, before the run stops or goes on. After a stop, g(s.t, s.y) of an
+     event that happened alone is 0 or already has its new sign; of several that happened together, this is certain for
+     one. If g stays 0 for a while, the event happens when g reaches 0, not when it leaves 0. If g jumps, the event
+     happens at the jump. After an event the sign of g is ignored as long as rounding errors alone could cause it. So
+     one contact of a body that bounces off the ground is one event.
      A run ends at each event with the action ODE_STOP. An event with stop_after > 0 is different: whatever its action
      is, it ends the run only when it has happened stop_after times, twice as many times, and so on. The t_end of such a
      run may be infinite. Set h_max in this case if the solution is so smooth that the steps would grow without end.

@@ -45,11 +45,11 @@
 
    ERRORS
      These arguments give NaN: m > 1, or m1 < 0 in functions that take m1 = 1 - m (jacobi_sncndn_any and the incomplete
-     integrals allow both); c < 0 in the functions jacobi_solve_...; NaN; and infinite numbers, with two exceptions. The
-     first exception: jacobi_K, jacobi_E, jacobi_D, jacobi_Pi, the incomplete integrals, the inverses of sn and cn, and
-     Carlson's integrals return the limit at an infinite argument, and NaN where there is no limit. The second: m = 1
-     gives the limits, for u = +-infinity too: K is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u. But
-     jacobi_agm_sncndn gives NaN for m = 1.
+     integrals allow both); c < 0 in the functions jacobi_solve_...; arguments outside the domain that the comment of a
+     function gives; NaN; and infinite numbers, with two exceptions. The first exception: jacobi_K, jacobi_E, jacobi_D,
+     jacobi_Pi, the incomplete integrals, the inverses of sn and cn, and Carlson's integrals return the limit at an
+     infinite argument, and NaN where there is no limit. The second: m = 1 gives the limits, for u = +-infinity too: K
+     is infinite, E is 1, sn is tanh u, cn and dn are 1/cosh u. But jacobi_agm_sncndn gives NaN for m = 1.
      A quotient such as sn/cn is infinite at its poles, where the denominator is 0. For m > 1 and for an infinite or NaN
      m, jacobi_plan_init returns -1 and leaves the plan as it was. No other error is possible. The functions allocate no
      memory and keep no state; errno says nothing about their errors.
@@ -115,7 +115,8 @@
                   for n > 1
      inverses of sn, cn and dn, Carlson's integrals   <= 8 ulp; R_G <= 10 ulp; the comment of jacobi_RJ has the bound of
                   R_J
-     m > 1        the bounds of sn, cn, dn hold with k u in place of u (see jacobi_sncndn_any)
+     m > 1        the absolute bounds of sn, cn, dn hold with k u in place of u; the comment of jacobi_sncndn_any has
+                  the relative bound
      solvers      <= 4 ulp of m and of m1, plus the change of m or m1 that one ulp of the argument c of
                   jacobi_solve_... makes
 
@@ -123,7 +124,8 @@
      docs/cost.md has the times of the functions that are used most, docs/peers.md those of the incomplete integrals and
      of R_F and R_J, docs/counts.md the number of instructions of a call of many functions. A jacobi_plan has 312
      [jacobi_plan_bytes] bytes, in float 116 [jacobi_plan_bytes_float]; the name in brackets is that of the row of
-     docs/numbers.md with this number. The largest stack frame is about 1 kB.
+     docs/numbers.md with this number. The largest stack frame is about 1 kB; that of jacobi_plan_sncndn_array has up to
+     3 kB where the compiler vectorises its loop for wide registers.
 
    REFERENCES
      [1] DLMF, chapters 19, 20 and 22, dlmf.nist.gov: 19.8 (AGM), 20.2, 20.7, 22.2 (theta functions), 22.20.

@@ -88,8 +88,9 @@
      Jumps        conserve momentum with an error of at most 3 eps times the sum of all M |v|. They conserve angular
                   momentum about any point with an error of at most 6 eps times the sum of all tr(I) |omega| + M (|r| +
                   |r - point|) |v|. M, v, r, omega and I are mass, velocity, position, angular velocity and inertia
-                  tensor of a body, and tr(I) is the sum of the diagonal of I. If a part goes on moving as it did on
-                  the body, omega of the rest does not change.
+                  tensor of a body, and tr(I) is the sum of the diagonal of I. (The bound is larger if a moment of
+                  inertia had to be corrected; see vm_separate.) If a part goes on moving as it did on the body, omega
+                  of the rest does not change.
      Rotation     of a torque-free body: after 1e6 turns the attitude is right within 8 eps (rad) and omega within
                   5 eps, if the inputs are taken as exact.
      Streams      the solutions in closed form are right within a few eps. A body together with all mass that has left

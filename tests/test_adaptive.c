@@ -618,6 +618,25 @@ static void test_stiffness(void)
     }
 }
 
+/* y' = -(y - 1 - slope t) + slope: y = 1 + slope t. The errors of the steps are rounding errors alone. */
+static int nearly_constant_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const vm_real slope = *(const vm_real *)ctx;
+    dydt[0] = -(y[0] - 1 - slope * t) + slope;
+    return 0;
+}
+
+/* Rounding errors alone do not look stiff. */
+static void test_stiffness_of_rounding(void)
+{
+    vm_real y0[1] = {1}, work[RK87_WORK(1)], slope = R(1e-8);
+    rk45_options o = {0};
+    rk45 s;
+    o.h_max = R(1e-4);
+    CHECK(rk45_init(&s, nearly_constant_rhs, &slope, 1, 0, y0, &o, work) == ODE_OK);
+    CHECK(rk45_solve(&s, R(0.03)) == ODE_OK && !s.stiff);
+}
+
 /* No oscillator is stiff, however long its period. */
 static void test_long_periods(void)
 {
@@ -661,6 +680,8 @@ static void test_least_tolerances(void)
         CHECK(m->init(&s, time_rhs, NULL, 1, 0, y0, &o, work) == ODE_RTOL_RAISED && ODE_RTOL_RAISED > 0);
         CHECK(s.options.rtol == R(least[i]) * VM_EPSILON && s.options.atol == 0 && m->solve(&s, 2) == ODE_OK);
         check_error("least rtol", m->name, "eps", fabs((double)s.y[0] / exp(4.) - 1) / eps, bounds[i], 2, 0);
+        s.options.rtol = VM_EPSILON; /* the options may be those of the run itself */
+        CHECK(m->init(&s, time_rhs, NULL, 1, 0, y0, &s.options, work) == ODE_RTOL_RAISED);
     }
 }
 
@@ -956,6 +977,7 @@ int main(void)
     test_missed_at_stiffness_test();
     test_blow_up_with_h_min();
     test_stiffness();
+    test_stiffness_of_rounding();
     test_long_periods();
     test_defaults();
     test_least_tolerances();

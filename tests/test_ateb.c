@@ -225,6 +225,17 @@ static void test_elementary(void)
     CHECK(vmi_log(1).hi == 0 && vmi_log(1).lo == 0);
 }
 
+/* A power so large that its product with a logarithm overflows */
+static void test_huge_powers(void)
+{
+    const vm_real huge = VM_MAX / 200;
+    CHECK(vmi_pow_checked(2, huge) == VM_INFINITY && vmi_pow_checked((vm_real)0.5, huge) == 0);
+    CHECK(vmi_pow_checked(2, -huge) == 0 && vmi_pow_checked((vm_real)0.5, -huge) == VM_INFINITY);
+    CHECK(vmi_pow_checked((vm_real)1e10, VM_MAX / 2) == VM_INFINITY && vmi_pow_checked(VM_MIN, VM_MAX) == 0);
+    CHECK(vmi_pow_checked(1 + VM_EPSILON, huge) == VM_INFINITY && vmi_pow_checked(1 - VM_EPSILON, huge) == 0);
+    CHECK(vmi_pow_checked(2, VM_INFINITY) == VM_INFINITY && vmi_pow_checked(2, -VM_INFINITY) == 0);
+}
+
 static double signed_power(double x, double p) { return copysign(pow(fabs(x), p), x); }
 
 /* sa^2 + |ca|^(alpha+1) = 1 (279), oddness and evenness, half and whole periods and reflections, (278) and (280) with
@@ -919,6 +930,15 @@ static void test_means_and_integrals(void)
                 8, 9.765625e-4, 3);
 }
 
+/* The mean in float of a power next to -1, where n is so large that the product of two powers underflows: 2^24. In
+   double the mean is that of the same numbers. */
+static void test_mean_next_to_minus_1(void)
+{
+    const double n = 8.3833376529426953e+29, p = -0.99999994039535522, q = 9.1956281661987305;
+    const vm_real mean = ateb_mean_nm((vm_real)n, 1, (vm_real)p, (vm_real)q, 0);
+    check_error("mean", "p next to -1", "ulp", ERROR_ULP(mean, 16777216, 0), 2, n, p);
+}
+
 /* sa grows and ca falls from one number to the next, but for an ulp or two */
 static void test_monotone(void)
 {
@@ -962,9 +982,54 @@ static void test_last_digits(void)
     CHECK(in_range);
 }
 
+/* So many quarters that a division finds the wrong one: alpha = 1 and 3, values by mpmath with 60 digits */
+static void test_many_quarters(void)
+{
+    static const struct {
+        double alpha, s, sa, ca;
+    } rows[] = {
+        {1, 27765793144043.773, -0.7045912614956976, -0.7096133836279452},
+        {1, 282189854079179.88, 0.6931260897391353, 0.7208163592226082},
+        {1, 4736814257840515, -0.6109925387239973, -0.7916363544100312},
+        {1, 3416969049410982.5, -0.691246246224865, -0.7226192822503654},
+        {1, 6136475335124204, 0.2904294836536845, 0.9568963972262902},
+        {1, 1097504508138181.5, -0.7783069814625383, 0.6278839403955734},
+        {3, 5444365776167750, -0.9891961491308504, 0.3828812046198816},
+        {3, 3357066435474581.5, 0.96478298310887, -0.5128812099470176},
+        {3, 6195150494791365, 0.9931509263613317, -0.3418164861559716},
+        {3, 4768726242643262, 0.7797531752038526, 0.7912566228962251},
+        {3, 1030581012968278.1, -0.9423567669263641, 0.5784546726634603},
+        {1, 1876830.625, -0.7232878095014529, 0.6905466998158705},
+        {1, 3891890.5, -0.6424808465519146, -0.7663017433191283},
+        {1, 5311414.5, -0.7181920239465559, 0.6958449660229997},
+        {1, 948416.1875, 0.7042085341335407, 0.70999319746987},
+        {1, 6942110, 0.6935975342640363, 0.7203627283964996},
+        {3, 3808083.5, -0.8559584290524896, -0.7190581671312536},
+        {3, 4598387.5, 0.8961799617107166, 0.6661011514074716},
+        {3, 6445024, -0.9037311413962307, -0.654293881687844},
+        {3, 2765189, -0.9384951663147646, 0.5876158378824369},
+        {3, 5344140, -0.9226087845935064, 0.6210772871859075},
+    };
+    size_t i;
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const double alpha = rows[i].alpha, s = rows[i].s;
+        vm_real sa, ca, plan_sa, plan_ca;
+        ateb_plan plan;
+        if (!representable(s)) continue;
+        ateb_saca((vm_real)s, (vm_real)alpha, &sa, &ca);
+        CHECK(ateb_plan_init(&plan, (vm_real)alpha) == 0);
+        ateb_plan_saca(&plan, (vm_real)s, &plan_sa, &plan_ca);
+        check_error("sa, ca", "many quarters", "abs",
+                    fmax(fabs((double)sa - rows[i].sa), fabs((double)ca - rows[i].ca)), 1e-3, s, alpha);
+        check_error("plan sa, ca", "many quarters", "abs",
+                    fmax(fabs((double)plan_sa - rows[i].sa), fabs((double)plan_ca - rows[i].ca)), 1e-3, s, alpha);
+    }
+}
+
 int main(void)
 {
     test_elementary();
+    test_huge_powers();
     test_kernel_points();
     test_reduction();
     test_mantissa();
@@ -994,7 +1059,9 @@ int main(void)
     test_ln_beta();
     test_two_indices();
     test_means_and_integrals();
+    test_mean_next_to_minus_1();
     test_monotone();
     test_last_digits();
+    test_many_quarters();
     return check_finish("ateb.h");
 }

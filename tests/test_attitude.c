@@ -298,6 +298,29 @@ static void test_rodrigues(void)
     }
 }
 
+/* Next to half turns about axes that are not along x, y or z, w is about eps^2; in the table by exact fractions. The
+   first four rows are for double only. */
+static void test_rodrigues_half_turns(void)
+{
+    static const double rows[][4] = {
+        {0x1.3bccb8c2c7fe9p-5, 0x1.ed187d3f8a158p-2, 0x1.c04b9328b1d9cp-1, 1.7785002325819559176e-22},
+        {0x1.984c81f88b7d6p-4, -0x1.a768acc8eca70p-2, 0x1.cf611cb7f6630p-1, 6.2863905885517196347e-22},
+        {0x1.31332481f43f4p-5, 0x1.85cb14635c15cp-1, 0x1.4b6c5777b6d8bp-1, 7.1537041477519468467e-22},
+        {-0x1.02464afc4fe7ap-4, 0x1.f9c30f044b000p-3, -0x1.ef1725e220132p-1, 8.6867837060432703155e-22},
+        {-0x1.eb7a0ap-5, 0x1.117092p-2, -0x1.ec737ep-1, -4.147376886365178394e-14},
+        {0x1.9379d2p-2, 0x1.d69098p-1, -0x1.e86358p-8, 1.6798888669014624248e-13},
+        {-0x1.564a82p-6, 0x1.786e92p-1, 0x1.5ae256p-1, -2.2848563319128098714e-13},
+        {-0x1.b03432p-2, 0x1.cf79dp-1, -0x1.92e72ap-5, -4.8489684489870590131e-13},
+    };
+    size_t i;
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const double *p = rows[i], w = p[3];
+        if (!representable(p[0])) continue;
+        check_error("quat_from_mrp", "half turns", "eps",
+                    fabs((double)vm_quat_from_mrp(vector(p[0], p[1], p[2])).w - w) / (eps * fabs(w)), 8, (double)i, 0);
+    }
+}
+
 /* Components that are integers, whose products and their sums fit into 64 bits, so that the true results are known. The
    products have more digits than a vm_real: they are rounded there. */
 typedef struct integers {
@@ -393,6 +416,7 @@ int main(void)
     test_matrices();
     test_rounded_matrices();
     test_rodrigues();
+    test_rodrigues_half_turns();
     test_vectors();
     test_products();
     test_lengths();

@@ -153,6 +153,34 @@ static void test_caught(void)
     CHECK(reaction.couple.x == -10 && reaction.couple.y == 0 && reaction.couple.z == -28);
 }
 
+/* A rod along the axle and a point on it have no inertia about the axle, whatever rounding errors leave. A couple
+   cannot turn the rod, and the point is caught without a spin. */
+static void test_no_inertia(void)
+{
+    int i;
+    for (i = 0; i < 200; i++) {
+        const vm_quat q = random_attitude();
+        vm_axle axle;
+        vm_body b, point, after;
+        vm_impulse blow;
+        memset(&blow, 0, sizeof blow);
+        axle.at = random_vector(2);
+        axle.axis = random_vector(3);
+        b = rod(3, vm_rotate_back(q, vm_unit(axle.axis)));
+        b.q = q;
+        b.r = vm_add(axle.at, vm_scale(R(uniform(-2, 2)), axle.axis));
+        blow.couple = axle.axis;
+        after = b;
+        CHECK(vm_separate_on_axle(&axle, &b, 0, NULL, &blow, &after, NULL) == VM_NULL_AXIS);
+        CHECK(size_of(after.omega) == 0 && size_of(after.v) == 0);
+        point = rod(1, axle.axis);
+        point.r = b.r;
+        point.v = random_vector(5);
+        CHECK(vm_attach_on_axle(&axle, &point, 0, NULL, NULL, &after, NULL) == VM_OK);
+        CHECK(size_of(after.omega) == 0 && size_of(after.v) == 0);
+    }
+}
+
 /* The length of the axis does not matter, from the smallest subnormal number to the largest number. */
 static void test_length_of_axis(void)
 {
@@ -210,6 +238,7 @@ int main(void)
     test_unchanged();
     test_pendulum();
     test_caught();
+    test_no_inertia();
     test_length_of_axis();
     test_refusals();
     return check_finish("axle");

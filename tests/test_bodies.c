@@ -132,6 +132,21 @@ static void test_possible_inertia(void)
     CHECK(!vm_inertia_is_possible(&bent));
 }
 
+/* Moments of a body, whose sum overflows only in the larger unit */
+static void test_overflowing_trace(void)
+{
+    const vm_real good = is_float ? R(1e37) : R(5e306), bad = 10 * good;
+    vm_inertia i = {0, 0, 0, 0, 0, 0};
+    i.xx = R(1.2) * good;
+    i.yy = R(1.5) * good;
+    i.zz = R(1.7) * good;
+    CHECK(vm_inertia_is_possible(&i));
+    i.xx = R(1.2) * bad;
+    i.yy = R(1.5) * bad;
+    i.zz = R(1.7) * bad;
+    CHECK(!vm_inertia_is_possible(&i));
+}
+
 int main(int argc, char **argv)
 {
     draw_anew(argc, argv);
@@ -141,5 +156,6 @@ int main(int argc, char **argv)
     test_quaternion_length();
     test_combined_inertia();
     test_possible_inertia();
+    test_overflowing_trace();
     return check_finish("bodies");
 }

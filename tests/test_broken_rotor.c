@@ -584,6 +584,48 @@ static void test_linear_motion(void)
     }
 }
 
+/* |t| (|k*| + 1.5 omega) is between 1 and 2. y and its condition number, the unit, are by the functions of
+   tests/gen/rotor_reference.py with 60 digits. The first row is for double only. */
+static void test_few_rates(void)
+{
+    static const struct {
+        double rotor[6], t, psi, psi_rate, y, condition;
+    } rows[] = {
+        {{2.9774353303546763, .53636702098467881, 4.3670987473175591e-4, -.0026176872220472552, .018350567870972161,
+          .18545633570384948},
+         -49.036033483280761, -.23401851570216625, .14253772298817891, -.1333534435485845080448, 1.50975},
+        {{3.046795606613159, .601671576499939, .0004532365419436246, -.0029078840743750334, .01533646509051323,
+          .15200790762901306},
+         -51.02419662475586, -.28797647356987, .13588958978652954, -.0820675080859911633253, 1.02522},
+    };
+    size_t i;
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const vm_broken_rotor r = rotor_from(rows[i].rotor);
+        vm_real y[6];
+        if (!representable(rows[i].t)) continue;
+        set_state(y, 0, 0, rows[i].psi, 0, 0, rows[i].psi_rate);
+        CHECK(vm_broken_rotor_linear_uncoupled(&r, R(rows[i].t), y, y) == VM_OK);
+        check_error("y (71)", "few rates", "cond",
+                    fabs((double)y[1] - rows[i].y) / eps / (rows[i].condition + fabs(rows[i].y)), 3, (double)i, 0);
+    }
+}
+
+/* Without coupling, damping alone changes psi', by the factor e^-30 here. */
+static void test_decayed_rate(void)
+{
+    vm_broken_rotor r = {1, 1, 4, 0, 0, 0}, soft = {1, 1, 0, 0, 0, R(.3)};
+    vm_real start[6], y[6] = {0}, z[6] = {0};
+    double k;
+    set_state(start, .1, -.2, .3, .4, -.5, 3);
+    for (k = 1.875; k < 1000; k *= 2) {
+        r.damping = soft.damping = R(k);
+        CHECK(vm_broken_rotor_linear(&r, R(30 / k), start, y) == VM_OK);
+        CHECK(vm_broken_rotor_linear(&soft, R(30 / k), start, z) == VM_OK);
+        check_case("psi' (69)", "s = 0", y[5], 3 * exp(-30), 3 * exp(-30), 4);
+        check_case("psi' (69)", "stiffness = 0", z[5], 3 * exp(-30), 3 * exp(-30), 4);
+    }
+}
+
 /* The rotor of Fig. 18: what (71), (72) lack at t = 3 against all of (69); and x of (70) against (68), which it
    follows for short times only */
 static void test_linear_range(void)
@@ -729,6 +771,11 @@ static void test_domain(void)
     r.stiffness = 1;
     r.inertia = R(1e-3); /* the motion grows as exp(21 t) */
     CHECK(vm_broken_rotor_linear(&r, 1000, start, y) == VM_NOT_FINITE);
+    r.stiffness = is_float ? R(1e7) : R(1e10);
+    r.inertia = is_float ? R(1e-32) : R(1e-300); /* s p^2 omega^2 overflows, and no other coefficient of (69) */
+    r.damping = r.torque = 0;
+    CHECK(vm_broken_rotor_linear(&r, 1, start, y) == VM_NOT_FINITE);
+    CHECK(vm_broken_rotor_linear(&r, R(1e-9), start, y) == VM_NOT_FINITE);
     CHECK(memcmp(y, kept, sizeof y) == 0);
 }
 
@@ -873,6 +920,8 @@ int main(void)
     test_through_zero();
     test_case_C4();
     test_linear_motion();
+    test_few_rates();
+    test_decayed_rate();
     test_linear_range();
     test_transient_after_break();
     test_bad_rotors();

@@ -113,6 +113,36 @@ static void test_steady_near_resonance(void)
     CHECK(isnan(vm_broken_rotor_steady_radius(NULL, 1)));
 }
 
+/* stiffness - mass Omega^2 next to resonance: the products in words and the sums of large words are exact. */
+static double exact_detuning(const vm_broken_rotor *r, vm_real Omega)
+{
+    const vm_two momentum = vmi_two_product(r->mass, Omega);
+    const vm_two high = vmi_two_product(momentum.hi, Omega), low = vmi_two_product(momentum.lo, Omega);
+    const vm_two small = vmi_two_sum(-high.lo, -low.hi), sum = vmi_two_sum(r->stiffness - high.hi, small.hi);
+    return (double)(sum.hi + (sum.lo + (small.lo - low.lo)));
+}
+
+/* Omega is the rounded resonance, sqrt(stiffness/mass). The first radius is known by exact fractions, in double. */
+static void test_steady_at_rounded_resonance(void)
+{
+    vm_broken_rotor r = fig18_rotor(1);
+    int i;
+    r.s = 1;
+    for (i = 0; i < 5000; i++) {
+        vm_real Omega;
+        double radius;
+        r.mass = R(i == 0 ? .94477898328394794 : uniform(.5, 2));
+        r.stiffness = R(i == 0 ? 1.465007496088635 : uniform(.5, 2));
+        Omega = VM_SQRT(r.stiffness / r.mass);
+        radius = (double)r.stiffness / exact_detuning(&r, Omega);
+        if (i == 0 && !is_float) CHECK(fabs(radius / 9.3654238615485683e17 - 1) < 2 * eps);
+        if (isinf(radius)) continue;
+        check_error("r_SS", "rounded resonance", "eps",
+                    fabs((double)vm_broken_rotor_steady_radius(&r, Omega) / radius - 1) / eps, 3, (double)r.mass,
+                    (double)r.stiffness);
+    }
+}
+
 /* With whole numbers, mass Omega^2 is exact, so that one ulp of the stiffness decides over stability. */
 static void test_exact_criterion(void)
 {
@@ -490,6 +520,36 @@ static void test_polynomial_solver(void)
     for (k = 0; k < 3; k++) CHECK(fabs((double)re[k] - 1) < 0.001 * (double)gap);
 }
 
+/* A triple root, which rounding splits: if one of its three parts stays real, it is sorted among the real roots, which
+   come first, from the largest to the smallest. (z - 1)^3 (z + 5), and the same with other roots */
+static void test_order_of_roots(void)
+{
+    static const double rows[][2] = {{1, -5}, {1, -2}, {2, 0.5}, {3, -1}, {1.5, -3}, {0.75, -0.25}, {5, 1}};
+    vm_real re[4], im[4];
+    int i, k;
+    for (i = 0; i < (int)(sizeof rows / sizeof *rows); i++) {
+        const double a = rows[i][0], b = rows[i][1];
+        const double aa = a * a;
+        const vm_real c[5] = {1, R(-3 * a - b), R(3 * aa + 3 * a * b), R(-aa * a - 3 * aa * b), R(aa * a * b)};
+        vmi_poly_roots(4, c, re, im);
+        CHECK(im[0] == 0 && im[1] == 0 && re[0] > re[1]); /* a part of the triple root, and b */
+        check_error("roots", "triple and single", "", fabs((double)re[0] - a), is_float ? 0.1 : 0.01, a, b);
+        for (k = 1; k < 4; k++) CHECK(im[k] != 0 || re[k] <= re[k - 1]);
+        CHECK(im[2] == -im[3]);
+    }
+}
+
+/* The modulus of infinite numbers, and angles of numbers whose sum overflows */
+static void test_modulus_and_angle_of_large(void)
+{
+    const vm_real x = VM_MAX / 2 * R(1.125), inf = VM_INFINITY;
+    CHECK(vmi_hypot(inf, inf) == inf && vmi_hypot(-inf, inf) == inf);
+    CHECK(vmi_hypot(inf, -1) == inf && vmi_hypot(0, -inf) == inf);
+    check_error("angle", "of large", "eps", ERROR_EPS(vmi_atan2(R(1.5) * x, x), 0.98279372324732905, 0, 1), 2, 1.5, 1);
+    check_error("angle", "of large", "eps", ERROR_EPS(vmi_atan2(x, R(1.5) * x), 0.58800260354756755, 0, 1), 2, 1, 1.5);
+    check_error("angle", "of large", "eps", ERROR_EPS(vmi_atan2(VM_MAX, VM_MAX), 0.78539816339744831, 0, 1), 2, 1, 1);
+}
+
 /* ---- Stability (82) ---- */
 
 static vm_broken_rotor rotor_with_frequency(double w2)
@@ -622,6 +682,7 @@ int main(void)
     test_polar();
     test_steady();
     test_steady_near_resonance();
+    test_steady_at_rounded_resonance();
     test_exact_criterion();
     test_linearisation();
     test_polynomial();
@@ -633,6 +694,8 @@ int main(void)
     test_eigenvalues_by_damping();
     test_polynomial_sizes();
     test_polynomial_solver();
+    test_order_of_roots();
+    test_modulus_and_angle_of_large();
     test_stability();
     test_stability_domain();
     test_decay();

@@ -236,6 +236,37 @@ static void test_listed_times_refused(const method *m, const method *other)
     CHECK(m->solve_at(&s, 0, NULL, NULL, &done) == ODE_OK && done == 0 && s.steps == 0);
 }
 
+/* y = (t, an integral of sqrt(end - t)): at the end of the domain the right-hand side is NaN beyond `end`. */
+static int until_end_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    (void)t;
+    dydt[0] = 1;
+    dydt[1] = y[0] > *(const vm_real *)ctx ? VM_NAN : VM_SQRT(*(const vm_real *)ctx - y[0]);
+    return 0;
+}
+
+/* A step may end, by rounding, where the right-hand side is NaN. States within this step are then refused, or are
+   numbers, but never NaN with the status ODE_OK. */
+static void test_inside_of_last_step(void)
+{
+    int i, k;
+    for (i = 0; i < METHODS; i++)
+        for (k = 0; k < 4000; k++) {
+            const method *m = methods + i;
+            vm_real end = 1 + R(k) / 8192, h = R(0.375) + R(k % 64) / 1024, y[2] = {end - h, 0}, work[RK87_WORK(2)];
+            rk45_options o = {0};
+            rk45 s;
+            int status;
+            o.h0 = h;
+            o.rtol = o.atol = R(1e-2);
+            end -= R(k % 3) * VM_EPSILON;
+            if (m->init(&s, until_end_rhs, &end, 2, 0, y, &o, work) != ODE_OK || m->step(&s) != ODE_OK) continue;
+            y[0] = y[1] = 7;
+            status = m->interpolate(&s, s.t_old + (s.t - s.t_old) / 2, y);
+            CHECK(status == ODE_OK ? y[1] == y[1] && y[0] < end : y[0] == 7 && y[1] == 7);
+        }
+}
+
 int main(void)
 {
     int i;
@@ -245,6 +276,7 @@ int main(void)
         test_listed_times_interrupted(methods + i);
         test_listed_times_refused(methods + i, methods + 1 - i);
     }
+    test_inside_of_last_step();
     test_orders();
     test_every_step();
     test_backward();

@@ -696,6 +696,15 @@ static void test_refusals(void)
     CHECK(vm_drum_rhs(0, y, f, &d) == VM_NOT_FINITE);
     y[2] = VM_NAN;
     CHECK(vm_drum_rhs_reduced(0, y, f, &d) == VM_NOT_FINITE);
+    y[2] = 2;
+    d.inertia = 0; /* with the band the drum has inertia, and the function of the angle refuses it all the same */
+    CHECK(vm_drum_rhs_angle(2, y, f, &d) == VM_BAD_INERTIA);
+    d.inertia = R(-0.03);
+    CHECK(vm_drum_rhs_angle(2, y, f, &d) == VM_BAD_INERTIA && vm_drum_rhs_angle(50, y, f, &d) == VM_BAD_INERTIA);
+    d.inertia = R(0.9);
+    d.band = R(-0.2); /* a drum that unwinds */
+    CHECK(vm_drum_rhs(0, y, f, &d) == VM_BAD_MASS && vm_drum_rhs_reduced(0, y, f, &d) == VM_BAD_MASS);
+    CHECK(vm_drum_rhs_angle(0, y, f, &d) == VM_BAD_MASS && vm_drum_rhs_angle(2, y, f, &d) == VM_BAD_MASS);
     for (i = 0; i < 6; i++) CHECK(f[i] == 7);
 }
 

@@ -531,6 +531,107 @@ static void test_Pi_beyond_quarter(void)
                 ERROR_ULP(jacobi_Pi_incomplete(R(phi), R(n), R(m)), 14.732939788873678, 2.53953e-17), is_float ? 8 : 3, phi, n);
 }
 
+/* m > 1 where k u has lost its digits, and where m is next to the largest number: the functions stay within their
+   limits, and for u beyond 20/(k eps) they are 0, 1 and 1. */
+static void test_any_parameter_far_out(void)
+{
+    static const double lost[][2] = {{8e15, 2}, {3e16, 2}, {1e15, 40}, {7e7, 2}, {5e6, 900}, {1e8, 2}};
+    static const double beyond[][2] = {{1e18, 2},   {-1e18, 2},   {1e100, 2}, {0.5, 1e305}, {1e300, 1e20},
+                                       {1e302, 4}, {1e12, 2}, {-2e30, 3}, {0.5, 1e35}, {1e38, 1e38}};
+    const vm_real unit = R(ldexp(1, is_float ? 58 : 507)); /* the root of an m next to the largest number */
+    vm_real sn, cn, dn;
+    int i, k;
+    for (i = 0; i < (int)(sizeof lost / sizeof *lost); i++)
+        for (k = 0; k < 100; k++) {
+            const vm_real u = R(lost[i][0] * (1 + 0.01 * k)), m = R(lost[i][1]);
+            jacobi_sncndn_any(u, m, &sn, &cn, &dn);
+            CHECK(fabs((double)sn) * sqrt((double)m) <= 1 + 4 * eps && cn >= 0 && cn <= 1 && VM_FABS(dn) <= 1);
+        }
+    for (i = 0; i < (int)(sizeof beyond / sizeof *beyond); i++) {
+        if (is_float && (fabs(beyond[i][0]) > 3e38 || beyond[i][1] > 3e38)) continue;
+        if (fabs(beyond[i][0]) < 20.001 / eps / sqrt(beyond[i][1])) continue;
+        jacobi_sncndn_any(R(beyond[i][0]), R(beyond[i][1]), &sn, &cn, &dn);
+        CHECK(sn == 0 && cn == 1 && dn == 1);
+    }
+    jacobi_sncndn_any(1 / unit, unit * unit, &sn, &cn, &dn); /* k u = 1, and 1/m is almost 0 */
+    check_error("any sn, cn, dn", "huge m", "eps", ERROR_EPS(sn * unit, 0.8414709848078965, 0, 1), 4, 1, 0);
+    check_error("any sn, cn, dn", "huge m", "eps", ERROR_EPS(cn, 1, 0, 1), 4, 1, 1);
+    check_error("any sn, cn, dn", "huge m", "eps", ERROR_EPS(dn, 0.5403023058681398, 0, 1), 4, 1, 2);
+}
+
+/* R_J for p < 0, with |p| or z much larger than the other arguments: the error is measured by R_J(x, y, z, |p|). */
+static void test_RJ_principal_far_apart(void)
+{
+    static const double rows[][6] = {
+        {1, 2, 3, -1e210, -2.1808378064067248e-210, 2.1808378064067248e-210},
+        {1, 2, 3, -1e300, -2.1808378064067245e-300, 2.1808378064067245e-300},
+        {1, 2, 1e200, -3, -2.4866451345004956e-101, 7.0442142160255171e-101},
+        {0, 2, 1e200, -3, -7.9916574037795524e-101, 1.1405189944514195e-100},
+        {1, 2, 1e160, -3, -2.4866451345004956e-81, 7.0442142160255170e-81},
+        {1, 2, 3, -9.9999994421196898e+27, -2.1808379280713786e-28, 2.1808379280713315e-28},
+        {1, 2, 1.0000000150474662e+30, -3, -2.4866451157916414e-16, 7.0442141630267299e-16},
+        {1, 2, 9.9999997781963084e+21, -3, -2.4866451620778496e-12, 7.0442142941471542e-12}};
+    int i;
+    for (i = 0; i < (int)(sizeof rows / sizeof *rows); i++) {
+        const double *x = rows[i];
+        if (!representable(x[2]) || !representable(x[3])) continue;
+        check_error("R_J, p < 0", "far apart", "eps",
+                    ERROR_EPS(jacobi_RJ(R(x[0]), R(x[1]), R(x[2]), R(x[3])), x[4], 0, x[5]), 16, x[2], x[3]);
+    }
+}
+
+/* R_C for y < 0 and an x so small that R_C is sqrt(x)/|y| */
+static void test_RC_of_small(void)
+{
+    static const double rows[][2] = {{1e-300, -1e15}, {1e-300, -1e40}, {1e-30, -1e10}, {4e-38, -3e5}, {1e-20, -1e18}};
+    int i;
+    for (i = 0; i < (int)(sizeof rows / sizeof *rows); i++) {
+        const vm_real x = R(rows[i][0]), y = R(rows[i][1]);
+        if (x == 0 || !VM_IS_FINITE(y)) continue;
+        check_error("R_C, y < 0", "small x", "ulp", ERROR_ULP(jacobi_RC(x, y), sqrt((double)x) / -(double)y, 0), 8,
+                    rows[i][0], rows[i][1]);
+    }
+}
+
+/* The inverses of cn and dn for m = 1 and next to it, at values so small that their squares underflow */
+static void test_inverses_of_tiny(void)
+{
+    static const double at_1[][3] = {{1e-160, 369.10676205960726, -8.1632155e-15},
+                                     {1e-170, 392.13261298954774, -2.6315892e-14},
+                                     {1e-300, 691.46867507877369, -3.5037511e-14},
+                                     {9.9999996826552254e-22, 49.047434165169385, -2.1736517e-15},
+                                     {1.0000000195414814e-25, 58.257774485869604, 2.6135496e-15},
+                                     {9.9999999109757897e-38, 85.888795630242058, -9.6260908e-16}};
+    static const double cn[][4] = {{-7.8e-163, 6.9e-322, 371.1651625183402, 1.8521154e-14},
+                                   {7.8e-163, 6.9e-322, 371.10585570267153, -8.8332805e-15},
+                                   {1e-158, 1e-318, 364.49910119998066, 1.6349863e-14},
+                                   {-3.0000001572320573e-23, 1.9618178500547439e-44, 51.918812320053611, 5.87e-16}};
+    static const double dn[][4] = {{1e-160, 5e-321, 369.26510693775475, -6.6097771e-15},
+                                   {1e-159, 3e-319, 366.8893759488742, 1.0463825e-15},
+                                   {1.000000031374395e-22, 5.6051938572992683e-45, 51.53458324399265, 7.7356209e-16}};
+    int i;
+    for (i = 0; i < (int)(sizeof at_1 / sizeof *at_1); i++) {
+        const double *x = at_1[i];
+        if (!representable(x[0])) continue;
+        check_error("inverse_cn", "m = 1, tiny x", "ulp", ERROR_ULP(jacobi_inverse_cn(R(x[0]), 1), x[1], x[2]), 8,
+                    x[0], 1);
+        check_error("inverse_dn", "m = 1, tiny x", "ulp", ERROR_ULP(jacobi_inverse_dn(R(x[0]), 1), x[1], x[2]), 8,
+                    x[0], 1);
+    }
+    for (i = 0; i < (int)(sizeof cn / sizeof *cn); i++) {
+        const double *x = cn[i];
+        if (!representable(x[0]) || !representable(x[1])) continue;
+        check_error("inverse_cn_m1", "tiny x and m1", "ulp",
+                    ERROR_ULP(jacobi_inverse_cn_m1(R(x[0]), R(x[1])), x[2], x[3]), 8, x[0], x[1]);
+    }
+    for (i = 0; i < (int)(sizeof dn / sizeof *dn); i++) {
+        const double *x = dn[i];
+        if (!representable(x[0]) || !representable(x[1])) continue;
+        check_error("inverse_dn_m1", "tiny x and m1", "ulp",
+                    ERROR_ULP(jacobi_inverse_dn_m1(R(x[0]), R(x[1])), x[2], x[3]), 8, x[0], x[1]);
+    }
+}
+
 int main(void)
 {
     test_table();
@@ -551,5 +652,9 @@ int main(void)
     test_any_parameter();
     test_integrals_above_one();
     test_Pi_beyond_quarter();
+    test_any_parameter_far_out();
+    test_RJ_principal_far_apart();
+    test_RC_of_small();
+    test_inverses_of_tiny();
     return check_finish("integrals");
 }

@@ -592,6 +592,47 @@ static void test_inside_after_failure(void)
     }
 }
 
+/* y' = (A, -A - D): g = y0 + y1 falls through 0 once, slowly. */
+static int slow_fall(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
+{
+    const vm_real *slopes = (const vm_real *)ctx;
+    (void)t;
+    (void)y;
+    dydt[0] = slopes[0];
+    dydt[1] = -slopes[0] - slopes[1];
+    return 0;
+}
+
+static vm_real sum_of_two(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return y[0] + y[1];
+}
+
+/* Where g passes 0 in the direction that does not count, rounding errors after this passage are no event, also if the
+   passage is at the end of a step. */
+static void test_passage_at_end_of_step(void)
+{
+    static const int actions[3] = {ODE_RECORD, ODE_STOP, ODE_RESTART};
+    int k, action, wrong = 0;
+    for (action = 0; action < 3; action++)
+        for (k = 0; k < 3000; k++) {
+            vm_real slopes[2], y0[2], work[RK87_WORK(2)];
+            ode_event e = event(sum_of_two, NULL, 1, actions[action]);
+            rk45_options o = with_events(1e-6, &e, 1);
+            rk45 s;
+            slopes[0] = 1 + R(k) / 1024;
+            slopes[1] = R(is_float ? 1e-3 : 1e-11);
+            y0[0] = R(k % 37) / 16;
+            y0[1] = -y0[0] + slopes[1];
+            o.h0 = o.h_max = R(0.25);
+            CHECK(m->init(&s, slow_fall, slopes, 2, 0, y0, &o, work) == ODE_OK);
+            wrong += m->solve(&s, 2) != ODE_OK || e.count > 0;
+        }
+    CHECK(wrong == 0);
+}
+
 static vm_real above_half(vm_real t, const vm_real *y, void *ctx)
 {
     (void)t;
@@ -758,6 +799,7 @@ int main(void)
         test_corners();
         test_one_failure();
         test_inside_after_failure();
+        test_passage_at_end_of_step();
     }
     return check_finish("events");
 }

@@ -153,6 +153,15 @@ static void test_velocities(void)
     CHECK(isnan(vm_velocity_by_momentum(0, 1, 2, R(INFINITY), 0)) && isnan(vm_tsiolkovsky(R(INFINITY), 2, 1, 1)));
 }
 
+/* The mass decreases by much, but what leaves has the body's velocity; products with masses overflow. */
+static void test_velocities_of_wide_range(void)
+{
+    const vm_real large = is_float ? R(1e30) : R(1e300);
+    check_closed("(151), u = v0", vm_velocity_by_momentum(7, R(1 / 3.), R(1e-6), 7, 0), 7, 2 * 7);
+    CHECK(vm_velocity_by_momentum(0, large, 1 / large, 0, 0) == 0);
+    CHECK(vm_velocity_by_momentum(3, 1, large, R(1e10), 0) == R(1e10));
+}
+
 static void test_linear_flow_table(void)
 {
     static const struct {
@@ -257,6 +266,9 @@ static void test_jet_refusals(void)
     CHECK(vm_jet_damping(&jet, R(NAN), omega0, &omega) == VM_NOT_FINITE && (double)omega.x == 1);
     jet.nozzle = 30; /* omega grows beyond the type's range */
     CHECK(vm_jet_damping(&jet, R(-1.9), omega0, &omega) == VM_NOT_FINITE && (double)omega.x == 1);
+    CHECK(vm_jet_damping(&jet, R(-1.9), vector(0, 0, 3), &omega) == VM_OK); /* the spin alone does not grow */
+    CHECK(omega.x == 0 && omega.y == 0 && omega.z == 3);
+    omega = omega0;
     jet.nozzle = 1;
     jet.transverse = R(INFINITY);
     CHECK(vm_jet_damping(&jet, 1, omega0, &omega) == VM_NOT_FINITE && (double)omega.x == 1);
@@ -299,6 +311,19 @@ static void test_bad_states(void)
     CHECK(flow.status == VM_BAD_ARGUMENT && flow1.status == VM_BAD_ARGUMENT);
 }
 
+/* A trial step to a mass that is infinite or NaN is rejected, and the status says why. */
+static void check_mass_not_finite(vm_real mass)
+{
+    vm_flow flow = {0};
+    vm_flow1 flow1 = {0};
+    vm_real y[VM_TRANSLATION_STATES] = {0, 1, 1, 1, 1, 1, 1}, dy[VM_TRANSLATION_STATES] = {0};
+    y[6] = mass;
+    CHECK(vm_translation_rhs(0, y, dy, &flow) == 0 && dy[0] != dy[0] && flow.status == VM_NOT_FINITE);
+    y[2] = mass;
+    dy[0] = 0;
+    CHECK(vm_flow1_rhs(0, y, dy, &flow1) == 0 && dy[0] != dy[0] && flow1.status == VM_NOT_FINITE);
+}
+
 int main(void)
 {
     test_translation();
@@ -307,11 +332,14 @@ int main(void)
     test_line();
     test_reference_cases();
     test_velocities();
+    test_velocities_of_wide_range();
     test_linear_flow_table();
     test_jet_table();
     test_running_out();
     test_linear_flow_refusals();
     test_jet_refusals();
     test_bad_states();
+    check_mass_not_finite(VM_NAN);
+    check_mass_not_finite(VM_INFINITY);
     return check_finish("flow1");
 }

@@ -166,11 +166,22 @@ static void test_refusals(void)
     CHECK(solve(vm_flow2_rhs, &flow, VM_FLOW2_STATES, y, 0, 1) == ODE_RHS_STOPPED && flow.status == VM_BAD_ARGUMENT);
 }
 
+/* A trial step to a mass that is infinite or NaN is rejected, and the status says why. */
+static void check_mass_not_finite(vm_real mass)
+{
+    vm_flow2 flow = {0};
+    vm_real y[VM_FLOW2_STATES] = {0, 0, 0, 0, 0, 1, 1, 0, 0, 1}, dy[VM_FLOW2_STATES] = {0};
+    y[VM_FLOW2_MASS] = mass;
+    CHECK(vm_flow2_rhs(0, y, dy, &flow) == 0 && dy[0] != dy[0] && flow.status == VM_NOT_FINITE);
+}
+
 int main(void)
 {
     test_plane_and_space();
     test_angles();
     test_carried();
     test_refusals();
+    check_mass_not_finite(VM_NAN);
+    check_mass_not_finite(VM_INFINITY);
     return check_finish("flow2");
 }

@@ -193,6 +193,26 @@ static void check_shaft(void)
     CHECK(fx == -30 && fy == 40);
 }
 
+/* The length of r neither overflows nor underflows: with alpha = 0 the force is k at every distance, with alpha = 1 it
+   is -k r. One coordinate that is NaN makes both components NaN. */
+static void check_shaft_range(void)
+{
+    vm_real r, fx, fy;
+    for (r = VM_MIN; r < VM_MAX / 2048; r *= 1024) {
+        vm_force_shaft(r, 0, 2, 0, &fx, &fy);
+        CHECK(fx == -2 && fy == 0);
+        vm_force_shaft(0, r, 2, 1, &fx, &fy);
+        CHECK(fx == 0 && fy == -2 * r);
+        vm_force_shaft(-3 * r, 4 * r, 2, 0, &fx, &fy);
+        agrees("vm_force_shaft", "VM_MIN to VM_MAX", fx, 1.2, 2, 6, (double)r);
+        agrees("vm_force_shaft", "VM_MIN to VM_MAX", fy, -1.6, 2, 6, (double)r);
+    }
+    vm_force_shaft(VM_NAN, 1, 2, 0, &fx, &fy);
+    CHECK(is_nan(fx) && is_nan(fy));
+    vm_force_shaft(1, VM_NAN, 2, 1, &fx, &fy);
+    CHECK(is_nan(fx) && is_nan(fy));
+}
+
 /* unbalance frequency^2 (cos, sin)(frequency t + phase) */
 static void check_unbalance(void)
 {
@@ -267,6 +287,7 @@ int main(void)
     check_stream();
     check_gravity();
     check_shaft();
+    check_shaft_range();
     check_unbalance();
     check_gyroscopic();
     check_results_in_the_plane();

@@ -90,6 +90,21 @@ static void test_central_point(void)
     CHECK(vm_separation_for_rest2(&whole, &part, NULL, NULL, &part.omega, &moving) == VM_NULL_AXIS);
 }
 
+/* Masses whose product overflows */
+static void test_heavy_bodies2(void)
+{
+    const vm_real mass = is_float ? R(1e20) : R(1e160), omega = R(1.25);
+    vm_body2 whole = {1, 1, 0, 0, 0, 1, 2, 3}, part = {1, 1, R(0.5), R(0.25), 0, 1, 2, 3}, rest = whole, moving = part;
+    double fast;
+    whole.mass = whole.inertia = mass;
+    part.mass = mass / 10;
+    part.inertia = mass / 100;
+    CHECK(vm_separation_for_spin2(&whole, &part, NULL, omega, &moving) == VM_OK);
+    CHECK(vm_separate2(&whole, &moving, NULL, &rest) == VM_OK);
+    fast = 1 + hypot((double)moving.vx, (double)moving.vy);
+    check_error("..for_spin2: w", "heavy", "eps", fabs((double)(rest.omega - omega)) / eps / fast, 200, 0, 0);
+}
+
 /* A body and a point on it, beside its mass centre, that moves on with it */
 static void draw_point_on(vm_body2 *whole, vm_body2 *point, double mass, double x, double y)
 {
@@ -163,6 +178,7 @@ int main(int argc, char **argv)
     test_inverse();
     test_inverse_of_point();
     test_inverse2();
+    test_heavy_bodies2();
     test_central_point();
     test_small_point();
     test_point_leaves();

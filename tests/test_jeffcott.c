@@ -655,6 +655,22 @@ static void test_extreme_masses(void)
     }
 }
 
+/* With F_e = k rho^(1/2) the stiffness K_e is infinite at z = 0, but the force is 0, and the rates are finite. The
+   stiffness of a huge exponent is 0 or infinite. */
+static void test_power_of_extreme_exponent(void)
+{
+    vm_power_force p = {2, R(0.5)};
+    vm_jeffcott r = make_rotor(linear(1, 0.5), &p, NULL);
+    const vm_real y[4] = {0, 0, 1, -2};
+    vm_real d[4] = {7, 7, 7, 7}, slope;
+    r.reactive = 1;
+    r.u = complex(1, 3);
+    CHECK(vm_jeffcott_rhs(0, y, d, &r) == VM_OK && d[0] == 1 && d[1] == -2);
+    CHECK(d[2] == 0 && d[3] == R(2.5)); /* the thrust m' (u - z') alone */
+    p.alpha = VM_MAX / 200;
+    CHECK(vm_jeffcott_power(2, &slope, &p) == VM_INFINITY && vm_jeffcott_power(R(0.5), &slope, &p) == 0);
+}
+
 static void test_bad_input(void)
 {
     const double bad[] = {0, -1, (double)VM_NAN, (double)VM_INFINITY};
@@ -701,6 +717,7 @@ int main(void)
     test_large_and_small_rotors();
     test_frequencies_of_any_size();
     test_extreme_masses();
+    test_power_of_extreme_exponent();
     test_bad_input();
     return check_finish("jeffcott");
 }

@@ -479,6 +479,7 @@ static void test_singular_mass_matrices(void)
     l.ctx = &mass;
     CHECK(vm_lagrange_rates(&l, 0, y, rates) == VM_SINGULAR && rates[0] == 1); /* a negative mass */
     CHECK(vm_lagrange_rhs(0, y, dydt, &l) == VM_SINGULAR && dydt[0] == 7);
+    CHECK(vm_lagrange_start(&l, 0, y, rates, dydt) == VM_SINGULAR && dydt[0] == 7);
     mass = 0;
     CHECK(vm_lagrange_rates(&l, 0, y, rates) == VM_SINGULAR && rates[0] == 1);
     mass = -VM_INFINITY;

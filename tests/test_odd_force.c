@@ -114,6 +114,37 @@ static void test_other_forces(void)
     }
 }
 
+static int walled(vm_real x, vm_real *f, void *ctx) /* x/(1 - x^2), which exists for x < 1 */
+{
+    (void)ctx;
+    if (x >= 1) return 1;
+    *f = x / (1 - x * x);
+    return 0;
+}
+
+/* States whose amplitude lies just below the place where the force changes its sign, or where its function fails: they
+   have a motion, and it keeps its energy. */
+static void test_amplitude_below_the_end(void)
+{
+    static const double swings[][2] = {{0, 1.9}, {2, 0.8}, {2.5, 0.1}, {-2, -0.8}, {2.9, 0.05}};
+    static const double bounded[][2] = {{0.6, 0.1}, {-0.3, -0.4}, {0.7, -0.05}};
+    const vm_odd_force pendulum = vm_odd_force_user(sine, NULL), wall = vm_odd_force_user(walled, NULL);
+    vm_real x = 0, v = 0;
+    int i;
+    for (i = 0; i < (int)(sizeof swings / sizeof *swings); i++) {
+        const double x0 = swings[i][0], v0 = swings[i][1];
+        CHECK(vm_odd_exact_from(&pendulum, R(7.5), R(x0), R(v0), &x, &v) == VM_OK);
+        near("below the end", "pendulum", (double)(v * v) / 2 + 1 - cos((double)x), v0 * v0 / 2 + 1 - cos(x0), 1e-13,
+             2e-5);
+    }
+    for (i = 0; i < (int)(sizeof bounded / sizeof *bounded); i++) {
+        const double x0 = bounded[i][0], v0 = bounded[i][1];
+        CHECK(vm_odd_exact_from(&wall, R(7.5), R(x0), R(v0), &x, &v) == VM_OK);
+        near("below the end", "wall", ((double)(v * v) - log(1 - (double)(x * x))) / 2,
+             (v0 * v0 - log(1 - x0 * x0)) / 2, 1e-12, 1e-4);
+    }
+}
+
 /* ---- The ripple ---- */
 
 /* The ripple of Duffing's force in closed form against its quadrature, on orbits of every kind */
@@ -552,6 +583,21 @@ static void test_forces_refused(void)
     CHECK(vm_odd_exact_from(&sine_force, 1, 0, 0, &x, &v) == VM_OK && x == 0 && v == 0);
 }
 
+/* A Duffing force with a coefficient that is infinite or NaN, also for a body at rest */
+static void test_duffing_not_finite(void)
+{
+    const vm_odd_force bad[4] = {vm_duffing_force(VM_NAN, 1), vm_duffing_force(VM_INFINITY, 1),
+                                 vm_duffing_force(1, VM_NAN), vm_duffing_force(1, -VM_INFINITY)};
+    vm_real x = 7, v = 7;
+    int i;
+    for (i = 0; i < 4; i++) {
+        CHECK(vm_odd_exact_from(&bad[i], 1, 1, 0, &x, &v) == VM_NOT_FINITE);
+        CHECK(vm_odd_exact_from(&bad[i], 1, 0, R(0.5), &x, &v) == VM_NOT_FINITE);
+        CHECK(vm_odd_exact_from(&bad[i], 1, 0, 0, &x, &v) == VM_NOT_FINITE);
+    }
+    CHECK(x == 7 && v == 7);
+}
+
 static void test_problems_refused(void)
 {
     const vm_odd_problem good = problem_of(vm_duffing_force(1, 1), 1, 0);
@@ -588,6 +634,7 @@ int main(void)
     test_against_duffing();
     test_pendulum();
     test_other_forces();
+    test_amplitude_below_the_end();
     test_ripple();
 #ifndef VM_USE_FLOAT
     test_orders();
@@ -602,6 +649,7 @@ int main(void)
     test_any_precision();
     test_stiff_spring();
     test_forces_refused();
+    test_duffing_not_finite();
     test_problems_refused();
     return check_finish("odd_force");
 }

@@ -34,6 +34,11 @@ refused() { # refused HEADER OPTION... : with words that tell how to go on
         grep -q -e VM_ALLOW_FAST_MATH -e vmi_constants_are_vm_real "$build/refused.log"
 }
 split="-fassociative-math -fno-signed-zeros -fno-trapping-math"
+compiles_alone() { # compiles_alone FUNCTION OPTION... : a program that uses only this function of integrators.h compiles
+    printf '#include "integrators.h"\nvoid *alone = (void *)%s;\n' "$1" >"$build/alone.c"
+    shift
+    $compiler -std=c99 "$@" -I. -w -c "$build/alone.c" -o "$build/alone.o"
+}
 unsafe="-funsafe-math-optimizations -fno-associative-math -fno-reciprocal-math"
 
 for compiler in gcc clang; do
@@ -47,6 +52,11 @@ for compiler in gcc clang; do
         for precision in "" -DVM_USE_FLOAT; do
             knows $options || { skipped=$((skipped + 1)); continue; }
             check "$compiler $options $precision: the check says 1" accepted $options $precision
+        done
+    done
+    for function in rk45_solve_at rk87_solve_at; do
+        for options in -O0 -O1 -O2 -O3 -Os; do
+            check "$compiler $options: $function alone compiles" compiles_alone $function $options
         done
     done
     for options in -ffast-math -funsafe-math-optimizations "$split" "$unsafe" -freciprocal-math -ffinite-math-only \

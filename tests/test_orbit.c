@@ -154,6 +154,20 @@ static void test_conservation(void)
     }
 }
 
+/* At a time whose digits do not tell where on its ellipse the body is, it is still on it. */
+static void test_late(void)
+{
+    const vm_vec3 r0 = vector(1, 0, 0), v0 = vector(0, 1.1, 0);
+    const double most = is_float ? 1e37 : 1e300;
+    double t;
+    for (t = 1e4; t < most; t *= 1000) {
+        vm_vec3 r = vector(7, 7, 7), v = r;
+        CHECK(vm_orbit(R(t), 1, r0, v0, &r, &v) == VM_OK);
+        check_error("late", "energy", "eps", fabs(energy(r, v) - energy(r0, v0)) / eps, 200, t, 0);
+        check_error("late", "angular momentum", "eps", apart(vm_cross(r, v), vm_cross(r0, v0)) / eps, 400, t, 0);
+    }
+}
+
 /* ---- Scenes ---- */
 
 /* Two bodies that attract each other and lose mass by the law m/(1 + rate t): in r2 - r1 it is vm_orbit_meshchersky. A
@@ -283,6 +297,7 @@ int main(void)
     test_parabola();
     test_ellipse();
     test_conservation();
+    test_late();
     test_scene(0);
     test_scene(1);
     test_refusals();

@@ -380,6 +380,33 @@ static void test_coupled_oscillator(void)
     }
 }
 
+/* A mass with a short bump, 1 + 2000 exp(-((t - 2.5137)/1e-4)^2) */
+static int bump(vm_real t, vm_real *f, vm_real *rate, void *ctx)
+{
+    const double z = ((double)t - 2.5137) / 1e-4, tail = 2000 * exp(-z * z);
+    (void)ctx;
+    *f = R(1 + tail);
+    *rate = R(-2 * z / 1e-4 * tail);
+    return 0;
+}
+
+/* The reduced mass of the relative motion has the shorter change_time of the two masses. */
+static void test_coupled_change_time(void)
+{
+    static const double times[4][3] = {{1e-4, 0, 1e-4}, {0, 1e-3, 1e-3}, {0.5, 0.25, 0.25}, {0.125, 2, 0.125}};
+    const vm_connection spring = {1, 1};
+    const vm_real y[4] = {0, 1, 0, 0};
+    vm_osc_problem o;
+    int i;
+    for (i = 0; i < 4; i++) {
+        vm_coupled_pair c = make_coupled(1, &spring, vm_law_user(bump, NULL), vm_law_user(bump, NULL));
+        c.mass[0].change_time = R(times[i][0]);
+        c.mass[1].change_time = R(times[i][1]);
+        if (i == 0) c.mass[1] = linear(2, 0);
+        CHECK(vm_coupled_pair_oscillator(&c, y, &o) == VM_OK && o.mass.change_time == R(times[i][2]));
+    }
+}
+
 static void test_coupled_refusals(void)
 {
     vm_connection spring = {1, 3};
@@ -425,6 +452,7 @@ int main(void)
     test_coupled_as_pair();
     test_coupled_conservation();
     test_coupled_oscillator();
+    test_coupled_change_time();
     test_coupled_refusals();
     test_modes();
     test_below_ripple();

@@ -70,6 +70,16 @@ static void test_samples_of_ca(void)
     for (i = 2; i <= VM_PERIODIC_HARMONICS; i++) CHECK(p.cosine[i] == 0 && p.sine[i] == 0);
 }
 
+/* Samples whose sum overflows have a finite mean. */
+static void test_large_samples(void)
+{
+    const vm_real large = VM_MAX / R(1.5), two[2] = {large, large}, four[4] = {large, -large, large, -large};
+    vm_periodic p = make_periodic(3, 1, 0.1, 1, 1, 1);
+    CHECK(vm_periodic_from_samples(&p, 2, two) == VM_OK && p.cosine[0] == large && p.cosine[1] == 0);
+    CHECK(vm_periodic_from_samples(&p, 4, four) == VM_OK && p.cosine[0] == 0);
+    CHECK(VM_FABS(p.cosine[1]) < VM_EPSILON * large);
+}
+
 /* ---- A harmonic force ---- */
 
 /* With g = cos theta all results are those of vm_forced, but for rounding. The ripple is so at the resonance, w(A) = nu,
@@ -310,6 +320,22 @@ static void test_steady_states(void)
     CHECK(most >= 3);
 }
 
+/* For alpha = 0 the frequency is infinite at the amplitude 0, and no vibration has an amplitude of almost 0. */
+static void test_steady_states_of_alpha_0(void)
+{
+    int i, k;
+    for (i = 0; i < 100; i++) {
+        vm_periodic p = make_periodic(0, uniform(0.05, 0.5), 0.1, 1, 1, uniform(0.5, 1.5));
+        vm_steady_state s[12];
+        int n;
+        p.oscillator.force = linear(uniform(0.02, 0.3), 0);
+        if (i % 2) p.sine[2] = R(uniform(-1, 1));
+        n = vm_periodic_steady_states(&p, 0, 12, s);
+        CHECK(n >= 0 && n <= 12);
+        for (k = 0; k < n; k++) CHECK((double)s[k].A > by_precision(1e-300, 1e-30));
+    }
+}
+
 /* The vibration that starts on a stable steady state stays on it: the largest change of the amplitude in 60 periods. */
 static double change_on_steady(double e)
 {
@@ -387,11 +413,13 @@ int main(void)
 {
     test_samples();
     test_samples_of_ca();
+    test_large_samples();
     test_harmonic();
     test_exact_equations();
     test_averaging();
     test_resonance_matters();
     test_steady_states();
+    test_steady_states_of_alpha_0();
     test_motion_on_steady();
     test_refusals();
     return check_finish("periodic");

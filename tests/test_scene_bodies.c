@@ -88,6 +88,30 @@ static void check_slow_rotation(void)
     }
 }
 
+/* The length that the quaternion of a free body has at the start does not change the accuracy with which it turns. */
+static void check_first_quaternion_length(void)
+{
+    const double length[3] = {1, 1e-9, is_float ? 1e30 : 1e100};
+    const vm_vec3 at = {1, 2, 3};
+    vm_vec3 wanted = {0, 0, 0}, r, v;
+    int i;
+    for (i = 0; i < 3; i++) {
+        vm_body body = probe();
+        stage s;
+        body.inertia = inertia_of(1, 1, 1, 0, 0, 0); /* only the quaternion varies, and determines the steps */
+        body.q.w *= REAL(length[i]);
+        body.q.x *= REAL(length[i]);
+        body.q.y *= REAL(length[i]);
+        stage_clear(&s, 1);
+        stage_body(&s, vm_scene_body_free(&body));
+        begin(&s);
+        run(&s, 10, VM_OK);
+        vm_scene_point_at(&s.scene, 0, at, s.y, &r, &v);
+        if (i == 0) wanted = r;
+        agrees("first length", "point", size_of(vm_sub(r, wanted)), 0, 1, 1e-12);
+    }
+}
+
 /* ---- Bodies that are not there ---- */
 
 /* A spring to a body that is not there, the first of the scene, does not pull. */
@@ -183,6 +207,7 @@ int main(void)
     check_sizes();
     check_quaternion_length();
     check_slow_rotation();
+    check_first_quaternion_length();
     check_absent_end();
     check_presence();
     check_chain();

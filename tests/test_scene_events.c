@@ -149,6 +149,71 @@ static void check_stop_beside_switch(void)
     agrees("stop beside switch", "t", s.t, acos(0.94) / 2, 1, 1e-5); /* the default tolerance's */
 }
 
+/* c (b x - d), in which p has the numbers b, c and d */
+static vm_real scaled_height(vm_real t, const vm_real *y, void *ctx)
+{
+    const vm_real *p = (const vm_real *)ctx;
+    (void)t;
+    return p[1] * (p[0] * y[0] - p[2]);
+}
+
+/* Two events happen where x rises through d/b, one of which ends the run; the other only counts, or has an action that
+   does nothing. Whichever of them rounding puts first, the next run does not find one of them again. */
+static void check_not_found_again(void)
+{
+    int i;
+    for (i = 0; i < 500; i++) {
+        vm_real p[3];
+        vm_event other, stops;
+        stage s;
+        p[0] = REAL(uniform(1, 10));
+        p[1] = REAL(uniform(0.1, 10));
+        p[2] = p[0] * REAL(uniform(0.05, 0.9));
+        other = vm_event_user(scaled_height, p, 1);
+        if (i & 1) other = vm_then_user(other, stage_kink, NULL);
+        stops = vm_then_stop(vm_event_position(0, 0, p[2] / p[0], 1));
+        oscillator(&s);
+        vm_scene_keep_budget(&s.scene, NULL);
+        stage_event(&s, i & 2 ? other : stops);
+        stage_event(&s, i & 2 ? stops : other);
+        begin(&s);
+        run(&s, 2, VM_STOPPED);
+        run(&s, 2, VM_OK);
+        CHECK(s.events[0].count == 1 && s.events[1].count == 1);
+    }
+}
+
+static int fails(vm_real t, vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)y;
+    (void)ctx;
+    return -100;
+}
+
+/* A crossing at 127/128 s that is only counted is counted although the step in which it is found ends with an error at
+   1 s, before or after it in the list; the next run does not count it again. */
+static void check_counted_before_error(void)
+{
+    int error;
+    for (error = 0; error < 2; error++) {
+        const int crossing = 1 - error;
+        int runs;
+        stage s;
+        stage_clear(&s, 2);
+        stage_body(&s, vm_scene_body_line(1, REAL(-127 / 128.), 1));
+        if (error == 0) stage_event(&s, vm_then_user(vm_event_at(1), fails, NULL));
+        stage_event(&s, vm_event_position(0, 0, 0, 1));
+        if (error == 1) stage_event(&s, vm_then_user(vm_event_at(1), fails, NULL));
+        begin(&s);
+        for (runs = 0; runs < 2; runs++) {
+            run(&s, 2, runs ? VM_OK : -100);
+            CHECK(s.t == (runs ? 2 : 1) && s.events[error].count == 1 && s.events[crossing].count == 1);
+            agrees("counted before error", "t", s.events[crossing].time, 127 / 128., 1, 1e-14);
+        }
+    }
+}
+
 /* ---- Events without end ---- */
 
 /* A ball that leaves the ground with half of its speed each time: it comes to rest after infinitely many contacts. */
@@ -432,6 +497,37 @@ static void check_axle_jump(void)
     balanced(&s, "axle jump", 10, 10);
 }
 
+/* A part that is nearly the whole body and has its velocity leaves that of the rest as it is, bit by bit. Two bodies so
+   fast that their momentum overflows become one with a finite velocity. */
+static void check_extreme_jumps(void)
+{
+    const double share = 1 - (is_float ? 1e-4 : 1e-9), fast = is_float ? 1e33 : 1e300;
+    const vm_body part = part_of(3 * share, 0);
+    int k;
+    stage s;
+    for (k = 0; k < 20; k++) {
+        const vm_real v = REAL(uniform(1, 2));
+        stage_clear(&s, 1);
+        stage_body(&s, vm_scene_body_line(3, 0, v));
+        stage_body(&s, vm_scene_body_absent(vm_scene_body_line(1, 0, 0)));
+        stage_body(&s, vm_scene_body_axle(3, 0, v));
+        stage_body(&s, vm_scene_body_absent(vm_scene_body_axle(1, 0, 0)));
+        stage_event(&s, vm_then_separate_on_line(vm_event_at(0), 0, 1, &part, 1));
+        stage_event(&s, vm_then_separate_on_line(vm_event_at(0), 2, 3, &part, 1));
+        begin(&s);
+        run(&s, 0, VM_OK);
+        CHECK(s.bodies[0].mass < REAL(1e-3) && s.y[1] == v && s.y[3] == v && s.y[5] == v && s.y[7] == v);
+    }
+    stage_clear(&s, 1);
+    vm_scene_keep_budget(&s.scene, NULL);
+    stage_body(&s, vm_scene_body_line(REAL(1e10), 0, REAL(fast)));
+    stage_body(&s, vm_scene_body_line(1, 0, REAL(fast)));
+    stage_event(&s, vm_then_attach_on_line(vm_event_at(0), 0, 1));
+    begin(&s);
+    run(&s, 0, VM_OK);
+    CHECK(s.bodies[1].away && s.y[1] == REAL(fast));
+}
+
 /* ---- Lists of actions ---- */
 
 /* A body between three springs throws off a part at 1 s; a damper is switched on and two springs are switched off at the
@@ -540,16 +636,37 @@ static void check_landing_in_list(void)
     balanced(&s, "landing", 10, 10);
 }
 
+/* A landing in a list at a set time does nothing to a body that is not there, and ends the run. */
+static void check_landing_of_absent_body(void)
+{
+    const vm_contact ground = {{0, 0, 0}, 0, {0, 0, 0}, {0, 1, 0}, 0, 0};
+    vm_event land = vm_then_land(vm_event_contact(1, &ground));
+    vm_budget budget;
+    stage s;
+    stage_clear(&s, 2);
+    stage_body(&s, vm_scene_body_line(1, 0, 1));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_point(2, stage_vec(0, 1, 0), stage_vec(0, -3, 0))));
+    stage_event(&s, vm_then_all(vm_event_at(1), &land, 1));
+    begin(&s);
+    run(&s, 2, VM_IS_AWAY);
+    CHECK(s.t == 1 && s.y[6] == -3); /* the velocity along y of the point */
+    CHECK(vm_scene_budget_at(&s.scene, s.t, s.y, &budget) == VM_OK);
+    CHECK(size_of(budget.impulse) == 0 && size_of(budget.angular_impulse) == 0 && budget.jump_energy == 0);
+}
+
 int main(void)
 {
     check_list();
     check_list_ends();
     check_landing_in_list();
+    check_landing_of_absent_body();
     check_counting();
     check_counted_motion();
     check_most();
     check_same_instant();
     check_stop_beside_switch();
+    check_not_found_again();
+    check_counted_before_error();
     check_endless();
     check_jumps();
     check_sticking();
@@ -558,5 +675,6 @@ int main(void)
     check_rod();
     check_special_jumps();
     check_axle_jump();
+    check_extreme_jumps();
     return check_finish("scene events");
 }

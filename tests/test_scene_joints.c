@@ -851,6 +851,10 @@ static void check_refused_contact(void)
     refused(&s, VM_BAD_ARGUMENT, "event", 0);
     s.events[0] = vm_event_contact(5, &ground);
     refused(&s, VM_NO_SUCH_BODY, "event", 0);
+    s.events[0] = vm_event_contact(VM_GROUND, &ground); /* the ground does not come down to the ground */
+    refused(&s, VM_NO_SUCH_BODY, "event", 0);
+    s.events[0] = vm_then_land(s.events[0]);
+    refused(&s, VM_NO_SUCH_BODY, "event", 0);
     s.events[0] = vm_then_land(vm_event_contact(0, &ground));
     accepted(&s);
     stage_effect(&s, vm_effect_joints(&joints));
@@ -987,6 +991,80 @@ static void check_push_at(void)
     vm_scene_push_at(NULL, 0, origin, s.y, origin);
 }
 
+/* ---- Points after jumps ---- */
+
+/* The place in the state of the stage of the point `at` of body 0 */
+static vm_vec3 place(const stage *s, vm_vec3 at)
+{
+    vm_vec3 r, v;
+    vm_scene_point_at(&s->scene, 0, at, s->y, &r, &v);
+    return r;
+}
+
+/* Pushes body 0 with 1 N along x where its mass centre was at the start. */
+static void push_first_centre(const vm_effect *e, vm_real t, const vm_real *y, vm_scene *scene)
+{
+    (void)t;
+    vm_scene_push_at(scene, e->body, origin, y, stage_vec(1, 0, 0));
+}
+
+/* A body takes up another one 1 m away, or loses a point on its other side: its first mass centre stays in its place,
+   and a force there has a moment of 0.5 N m about the new one. No spring, joint or contact acts on the body. */
+static void check_points_after_jumps(void)
+{
+    const vm_vec3 beside = stage_vec(0, 1, 0);
+    vm_body sphere = part_of(1, 1), part = part_of(1, 0);
+    vm_real rates[STAGE_STATE];
+    int kind, loses;
+    sphere.q.w = REAL(0.6);
+    sphere.q.x = REAL(0.8);
+    part.r.y = REAL(-0.5);
+    for (kind = 0; kind < 6; kind++) {
+        stage s;
+        loses = kind > 3;
+        if (loses) sphere.mass = sphere.inertia.xx = sphere.inertia.yy = sphere.inertia.zz = 2;
+        stage_clear(&s, 1);
+        if (kind == 0) stage_body(&s, vm_scene_body_line(1, 0, 0));
+        if (kind == 1) stage_body(&s, vm_scene_body_point(1, origin, origin));
+        if (kind == 2 || kind == 4)
+            stage_body(&s, vm_scene_body_plane(sphere.mass, sphere.inertia.zz, origin, REAL(0.5), origin, 0));
+        if (kind == 3 || kind == 5) stage_body(&s, vm_scene_body_free(&sphere));
+        if (kind == 0) stage_body(&s, vm_scene_body_line(1, 1, 0));
+        else stage_body(&s, vm_scene_body_point(1, beside, origin));
+        s.bodies[1].absent = loses;
+        stage_effect(&s, vm_effect_custom(0, VM_GROUND, push_first_centre, NULL));
+        if (loses) stage_event(&s, vm_then_separate(vm_event_at(0), 0, 1, &part, 0));
+        else stage_event(&s, vm_then_attach(vm_event_at(0), 0, 1));
+        begin(&s);
+        run(&s, 0, VM_OK);
+        agrees("point after jump", "first centre", size_of(place(&s, origin)), 0, 1, 1e-15);
+        CHECK(vm_scene_rhs(0, s.y, rates, &s.scene) == 0);
+        if (kind < 2) continue;
+        rates[0] = kind % 2 ? size_of(vmi_get3(rates + 10)) : rates[5]; /* inertia 1 + 2/4 or 2 - 2/4 kg m^2 */
+        agrees("point after jump", "turn", rates[0], 0.5 / 1.5, 1, 1e-15);
+    }
+}
+
+/* Half of an axle separates, given at 0.3 m along x, which has no meaning there: the points of the axle stay. */
+static void check_points_of_axle(void)
+{
+    const vm_vec3 at = stage_vec(1, 0, 0);
+    const vm_point_spring slack = {{1, 0, 0}, {0, 0, 0}, 0, 0, 0};
+    vm_body part = part_of(1, 0);
+    vm_vec3 before;
+    stage s;
+    part.r.x = REAL(0.3);
+    stage_clear(&s, 1);
+    stage_body(&s, vm_scene_body_axle(2, REAL(0.5), 1));
+    stage_body(&s, vm_scene_body_absent(vm_scene_body_axle(1, 0, 0)));
+    stage_effect(&s, vm_effect_point_spring(0, VM_GROUND, &slack));
+    stage_event(&s, vm_then_separate(vm_event_at(0), 0, 1, &part, 1));
+    begin(&s);
+    before = place(&s, at);
+    run(&s, 0, VM_OK);
+    CHECK(!s.bodies[1].away && size_of(vm_sub(place(&s, at), before)) == 0);
+}
+
 /* ---- Joints that nearly contradict each other ---- */
 
 /* Starts a scene of points that hang on two rods, and computes the pulls of the rods. */
@@ -1058,6 +1136,8 @@ static void check_nearly_dependent(void)
 int main(void)
 {
     check_push_at();
+    check_points_after_jumps();
+    check_points_of_axle();
     check_pins_of_points();
     check_absent_bodies();
     check_missing_lists();

@@ -355,6 +355,68 @@ static void check_short_arrays(void)
     run(&s, 1, VM_OK);
 }
 
+/* A work space is refused that has room for the integrator, but not for the scene; nothing is written beyond it. */
+static void check_work_size(void)
+{
+    rk45_options o = stage_options();
+    int i;
+    for (i = 0; i < 4; i++) {
+        int n, k, written = 0;
+        stage s;
+        two_bodies(&s);
+        begin(&s);
+        n = vm_scene_size(&s.scene);
+        o.work_size = VM_SCENE_WORK(n);
+        if (i == 0) o.work_size = 1;
+        if (i == 1) o.work_size = RK45_WORK(n);
+        if (i == 2) o.work_size--;
+        CHECK(vm_scene_run(&s.scene, &s.t, 1, s.y, s.work, &o) == (i < 3 ? VM_BAD_OPTIONS : VM_OK));
+        for (k = (int)o.work_size; k < (int)VM_LENGTH(s.work); k++) written += s.work[k] != 0;
+        CHECK(written == 0);
+    }
+}
+
+/* A negative rtol means that there is no relative tolerance: x = sin t keeps the error that atol allows. */
+static void check_no_relative_tolerance(void)
+{
+    rk45_options o = rk45_defaults(NULL);
+    stage s;
+    stage_clear(&s, 100);
+    stage_body(&s, vm_scene_body_line(1, 0, 1));
+    stage_effect(&s, vm_effect_linear_spring(0, 0, VM_GROUND, 0, 1, 0));
+    begin(&s);
+    o.rtol = -1;
+    o.atol = REAL(is_float ? 1e-6 : 1e-12);
+    CHECK(vm_scene_run(&s.scene, &s.t, 100, s.y, s.work, &o) == VM_OK);
+    check_error("no rtol", "x", "rel", fabs((double)s.y[0] - sin(100.)), is_float ? 1e-5 : 1e-10, 100, 0);
+}
+
+/* A run needs scene.located where the scene has events. */
+static void check_lost_located(void)
+{
+    stage s;
+    two_bodies(&s);
+    begin(&s);
+    s.scene.located = NULL;
+    run(&s, 1, VM_BAD_ARGUMENT);
+    CHECK(s.t == 0);
+    s.scene.located = s.located;
+    run(&s, 1, VM_OK);
+}
+
+/* The budget of a time is not written to the struct with the values at the start, which later budgets need. */
+static void check_kept_budget(void)
+{
+    stage s;
+    two_bodies(&s);
+    begin(&s);
+    run(&s, 0.5, VM_OK);
+    CHECK(vm_scene_budget_at(&s.scene, s.t, s.y, &s.book) == VM_BAD_ARGUMENT);
+    balanced(&s, "kept budget", 1, 1);
+    run(&s, 1, VM_OK);
+    balanced(&s, "kept budget", 1, 1);
+}
+
 static void check_ends_of_runs(void)
 {
     rk45_options o = stage_options();
@@ -389,6 +451,10 @@ int main(void)
     check_functions_of_events();
     check_arguments_of_runs();
     check_short_arrays();
+    check_work_size();
+    check_no_relative_tolerance();
+    check_lost_located();
+    check_kept_budget();
     check_ends_of_runs();
     return check_finish("scene runs");
 }

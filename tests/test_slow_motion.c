@@ -232,7 +232,7 @@ static void test_reduction(void)
         const int fitted = row->mass.kind > LAW_TABLE || row->stiffness.kind > LAW_TABLE;
         const char *kind = fitted ? "functions" : "G of laws";
         double size = rate * rate;
-        vmi_osc_slow now = {0, 0, 0, 0, 0, 0, {0}};
+        vmi_osc_slow now = {0, 0, 0, 0, 0, 0, 0, {0}};
         vmi_osc_rates rates = {0, 0, 0, 0, 0};
         o.stiffness = law_of_row(&row->stiffness);
         CHECK(vmi_osc_slow_at(&o, R(row->t), row->side, R(sampling), 1, &now) == VM_OK);

@@ -860,9 +860,10 @@ static void test_not_finite(void)
     check_not_finite(-VM_INFINITY);
 }
 
-/* A place that overflows, moments that form no triangle, no mass */
+/* A place that overflows, moments that form no triangle, no mass, moments whose sum overflows */
 static void test_domain(void)
 {
+    const vm_real unit = is_float ? R(1e38) : R(5e307);
     const vm_body good = random_body(1);
     const vm_quat q = {1, 0, 0, 0};
     const vm_vec3 w = vmi_vec3(1, 2, 3);
@@ -876,6 +877,12 @@ static void test_domain(void)
     CHECK(vm_torque_free_init_principal(&m, vmi_vec3(1, 1, R(-0.1)), q, w, 0) == VM_BAD_INERTIA);
     b.mass = 0;
     CHECK(vm_torque_free_init(&m, &b, 0) == VM_BAD_MASS);
+    b = good;
+    memset(&b.inertia, 0, sizeof b.inertia);
+    b.inertia.xx = R(1.2) * unit;
+    b.inertia.yy = R(1.5) * unit;
+    b.inertia.zz = R(1.7) * unit;
+    CHECK(vm_torque_free_init(&m, &b, 0) == VM_BAD_INERTIA);
     CHECK(memcmp(&before, &m, sizeof m) == 0);
 }
 

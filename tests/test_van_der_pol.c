@@ -539,6 +539,22 @@ static void test_extreme_amplitudes(void)
     CHECK(amplitude_of(&v, R(1e9), 1, linear(1, 1)) > 0); /* it decays to almost nothing */
 }
 
+/* Amplitudes that grow or decay by more than the range of e^F; for alpha = 1 and unit constants
+   1/A^2 = e^-F/first_A^2 + c (1 - e^-F)/(4 feed), with F = feed t. */
+static void test_amplitude_far_out(void)
+{
+    const vm_vdp v = vdp(1, 1, 1, 1, VM_VDP_ATEB), bare = vdp(1, 1, 0, 1, VM_VDP_ATEB);
+    const vm_vdp damped = vdp(1, -1, 1, 1, VM_VDP_ATEB);
+    const vm_law m = linear(1, 0);
+    CHECK(amplitude_of(&v, 800, 0, m) == 0 && amplitude_of(&bare, 800, 0, m) == 0);
+    near("(416)", "bare, t = 90", (double)amplitude_of(&bare, 90, 1, m), 34934271057485095348.0, 1e-13, 1e-4);
+    near("(416)", "damped, t = 90", (double)amplitude_of(&damped, 90, 1, m), 2.5603144531858606e-20, 1e-13, 1e-4);
+    if (is_float) return;
+    near("(416)", "bare, t = 750", (double)amplitude_of(&bare, 750, R(1e-100), m), 7.2515477944055531e62, 2e-13, 0);
+    near("(416)", "damped, t = 750", (double)amplitude_of(&damped, 750, 1, m), 1.2334293537856172e-163, 2e-13, 0);
+    near("(416)", "limit, t = 800", (double)amplitude_of(&v, 800, R(1e-100), m), 2, 1e-13, 0);
+}
+
 /* With c < 0 the term of A^3 feeds the vibration: A becomes infinite at a finite time. Each steady amplitude says
    whether it is stable. */
 static void test_stability(void)
@@ -625,6 +641,7 @@ int main(void)
     test_single_terms_without_reactive_force();
     test_any_mass();
     test_extreme_amplitudes();
+    test_amplitude_far_out();
     test_stability();
     test_bad_oscillators();
     test_bad_calls();

@@ -250,6 +250,32 @@ static void test_estimates(void)
     }
 }
 
+#ifndef VM_USE_FLOAT
+/* The estimate of order three where only a table of the mass and a small c disturb the oscillator: feed = 0,
+   reactive = 1/2, constant stiffness. The derivative of m'/m makes most of the error then. */
+static void test_estimate_without_feed(void)
+{
+    static vm_vdp_plan p;
+    int i, j;
+    for (i = 0; i < 20; i++) {
+        const double rate = uniform(0.005, 0.04), T = uniform(1.5, 3.3) / rate;
+        vm_real time[8], value[8];
+        vm_osc_motion law = {0, 0, 0, 0, 0, 0}, exact = law;
+        vm_vdp v;
+        for (j = 0; j < 8; j++) {
+            time[j] = R(j * 0.5 / rate);
+            value[j] = R(j == 0 ? 1 : uniform(0.8, 1.3));
+        }
+        v = oscillator(uniform(0.5, 5), 0, 0.002, 0.5, vm_law_table(8, time, value));
+        CHECK(vm_vdp_plan_init(&p, &v, R(uniform(0.5, 1.5)), R(uniform(-0.5, 0.5))) == VM_OK);
+        CHECK(vm_vdp_plan_by_route(&p, VM_ROUTE_ORDER3, R(T), 0, &law) == VM_OK);
+        CHECK(vm_vdp_plan_by_route(&p, VM_ROUTE_COLLOCATION, R(T), R(1e-12), &exact) >= 0);
+        check_error("without feed", "true/est", "", fabs(law.x - exact.x) / exact.amplitude / law.error, 3, v.alpha,
+                    rate);
+    }
+}
+#endif
+
 /* ---- To a tolerance ---- */
 
 static void test_within(void)
@@ -845,6 +871,7 @@ int main(void)
     test_cycle_of_time_0();
 #ifndef VM_USE_FLOAT
     test_slow_stiffness();
+    test_estimate_without_feed();
     test_constant_mass();
     test_on_cycle();
     test_long_after_settling();

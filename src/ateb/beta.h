@@ -30,7 +30,6 @@
 #include "../base/real.h"
 #include "../base/sums.h"
 #include "../base/words.h"
-#include "powers.h"
 
 /* Returns delta(z) = ln Gamma(z) - (z - 1/2) ln z + z - ln(2 pi)/2 for z >= 6, from by_z = 1/z. The product z delta(z)
    is computed by a polynomial in 1/z^2, which is equal to z delta(z) at Chebyshev's points. The polynomial has a
@@ -73,13 +72,15 @@ VM_API vm_two vmi_beta_ln_density(vm_two a, vm_two b, vm_two ln_x, vm_two ln_y)
 #else
     const vm_two half_ln_2pi = {VM_C(-0.9189385175705), VM_C(-1.5634176619983e-8)};
 #endif
-    vm_two A = a, B = b, S = vmi_two_plus(a, b), rise, ln_SA, ln_SB, sum;
+    vm_two A = a, B = b, S = vmi_two_plus(a, b), rise, rise_a, rise_b, rise_s, ln_SA, ln_SB, sum;
     vm_real delta;
     int i, j, k;
-    /* (a)_i (b)_j/(S)_k, where (a)_i (b)_j alone would underflow in float for a b < 1e-42 */
-    rise = vmi_beta_rise(&A, &i);
-    rise = vmi_two_over(rise, vmi_beta_rise(&S, &k));
-    rise = vmi_two_times(rise, vmi_beta_rise(&B, &j));
+    /* (a)_i (b)_j/(S)_k, where (a)_i (b)_j alone, or the smaller of them divided by (S)_k, may underflow in float */
+    rise_a = vmi_beta_rise(&A, &i);
+    rise_b = vmi_beta_rise(&B, &j);
+    rise_s = vmi_beta_rise(&S, &k);
+    if (a.hi < b.hi) rise = vmi_two_times(vmi_two_over(rise_b, rise_s), rise_a);
+    else rise = vmi_two_times(vmi_two_over(rise_a, rise_s), rise_b);
     ln_SA = vmi_two_log(vmi_two_over(S, A));
     ln_SB = vmi_two_log(vmi_two_over(S, B));
     sum = vmi_two_scaled(vmi_two_log(vmi_two_times(A, vmi_two_over(B, S))), (vm_real)(k - i - j) + VM_C(0.5));
@@ -258,7 +259,7 @@ VM_API vm_real vmi_beta_backward(const vmi_beta_levels *l, int count)
    than SAFE levels is evaluated once more by vmi_beta_backward, from its last level. */
 VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_real tolerance)
 {
-    enum { MOST = 20000, SAFE = 20 }; /* MOST stops the loop for a NaN; otherwise about 250 levels are enough */
+    enum { MOST = 20000, SAFE = 20 }; /* MOST is a precaution: some 250 levels are enough, and a NaN ends the loop */
     const vmi_beta_levels l = vmi_beta_levels_of(x, y, a, b);
     vm_real P0 = 1, Q0 = 0, P1, Q1 = 1, P2, Q2, C, D, D_next, last, ratio = 0, before, after = 1 / (a + 1);
     int levels = 0;
@@ -291,7 +292,7 @@ VM_API vm_real vmi_beta_fraction(vm_real x, vm_real y, vm_real a, vm_real b, vm_
    so that the terms soon become small. */
 VM_API vm_real vmi_beta_series(vm_real x, vm_real a, vm_real b)
 {
-    const vm_real most = 200; /* limit of the loop if x is NaN; otherwise 96 terms are enough */
+    const vm_real most = 200; /* a precaution: 96 terms are enough, and a NaN ends the loop at once */
     vm_real power = 1, term, sum = 0, n = 0;
     do {
         n += 1;

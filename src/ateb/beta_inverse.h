@@ -10,9 +10,9 @@
 #ifndef VARMASS_ATEB_BETA_INVERSE_H
 #define VARMASS_ATEB_BETA_INVERSE_H
 
+#include "../base/bits.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/sums.h"
 #include "../base/words.h"
 #include "beta.h"

@@ -19,7 +19,6 @@
 #include "../base/words.h"
 #include "inversion.h"
 #include "period.h"
-#include "powers.h"
 
 /* The position of s in the period. s is `quarter` quarters of the period plus rest, where whole periods (4 quarters)
    are not counted. r and d are the distances of s from the nearest zeros of sa and ca. */
@@ -32,22 +31,30 @@ typedef struct VM_TAG(vmi_ateb_place) {
    in three words. */
 #define VMI_ATEB_FINE_REACH (VM_MANT_DIG > 24 ? VM_C(6e-14) : VM_C(1.5e-5))
 
+/* Returns s minus a multiple of the quarter period Q, which is given in three words. `rest` is the same difference,
+   computed with two words. A division alone does not find the right multiple if it is larger than 1/(1000 eps);
+   therefore it is corrected so that the result agrees with `rest`. */
+VM_API vm_real vmi_ateb_rest_in_three_words(vm_real s, vmi_three Q, vm_real rest)
+{
+    const vm_real count = VM_FLOOR(s / Q.hi + VM_C(0.5));
+    const vm_two high = vmi_two_product(count, Q.hi), mid = vmi_two_product(count, Q.mid);
+    vm_real fine, further;
+    if (!(count * VM_EPSILON < 1)) return rest; /* the digits of s do not determine the phase */
+    fine = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
+    further = VM_FLOOR((fine - rest) / Q.hi + VM_C(0.5));
+    return (fine - further * Q.hi) - further * Q.mid;
+}
+
 /* Returns s > 0 minus the nearest multiple of the quarter period, for an s that is large, or close to a zero of sa or
    ca. c->quarter becomes a sum of two words with a relative error below 2^-98.6 (float 2^-40.6). If the result is so
    small that this error would matter, the quarter period is used in three words. */
 VM_API vm_real vmi_ateb_reduce_finely(vm_real s, vmi_ateb *c, int *quarter)
 {
-    vm_real rest, count;
+    vm_real rest;
     c->quarter = vmi_ateb_fine_quarter(c);
     rest = vmi_reduce(s, c->quarter, quarter).hi;
-    count = VM_FLOOR(s / c->quarter.hi + VM_C(0.5));
-    if (VM_FABS(rest) < VMI_ATEB_FINE_REACH * s) {
-        const vmi_three Q = vmi_ateb_quarter_in_words(c);
-        const vm_two high = vmi_two_product(count, Q.hi), mid = vmi_two_product(count, Q.mid);
-        if (count * VM_EPSILON < 1) rest = (((s - high.hi) - high.lo) - mid.hi) - (mid.lo + count * Q.lo);
-    }
-    if (VM_FABS(rest) < c->quarter.hi) return rest;
-    return 0; /* s is above 2^52 quarters, so that its digits do not determine the phase */
+    if (!(VM_FABS(rest) < VMI_ATEB_FINE_REACH * s)) return rest;
+    return vmi_ateb_rest_in_three_words(s, vmi_ateb_quarter_in_words(c), rest);
 }
 
 /* Returns a for the weight 1 and b for the weight 0. A condition would become a branch, and the processor would

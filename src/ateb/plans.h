@@ -161,14 +161,13 @@ VM_INLINE int vmi_ateb_plan_is_close(vm_real rest, vm_real s)
 VM_API vm_real vmi_ateb_plan_reduce_finely(const ateb_plan *p, vm_real x, vm_real rest)
 {
 #if VM_MANT_DIG > 24
-    const vm_real count = VM_FLOOR(x / p->quarter.hi + VM_C(0.5));
-    const vm_two high = vmi_two_product(count, p->quarter.hi), mid = vmi_two_product(count, p->quarter.lo);
-    if (count * VM_EPSILON < 1) rest = (((x - high.hi) - high.lo) - mid.hi) - (mid.lo + count * p->quarter_low);
+    const vmi_three quarter = {p->quarter.hi, p->quarter.lo, p->quarter_low};
+    return vmi_ateb_rest_in_three_words(x, quarter, rest);
 #else
     (void)p;
     (void)x;
+    return rest;
 #endif
-    return rest; /* where count eps >= 1, the digits of x do not determine the phase */
 }
 
 /* Returns |x|, without a branch. */

@@ -14,7 +14,6 @@
 
 #include "../base/bits.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/sums.h"
 #include "../base/words.h"
 

@@ -73,10 +73,9 @@ VM_API vm_real vmi_ldexp_two(vm_real y, vm_real y_lo, int k)
 /* The signed integer type that holds the bits of a vm_real, and the bits of the number 1 */
 #if VM_MANT_DIG > 24
 typedef int64_t vmi_signed_bits;
-#define VMI_BITS_OF_1 ((vmi_signed_bits)1023 << 52)
 #else
 typedef int32_t vmi_signed_bits;
-#define VMI_BITS_OF_1 ((vmi_signed_bits)127 << 23)
 #endif
+#define VMI_BITS_OF_1 ((vmi_signed_bits)VMI_BIAS << VMI_STORED_DIG)
 
 #endif

@@ -219,7 +219,8 @@ VM_API vm_real vmi_arctan(vm_real y, vm_real x)
     const int steep = y > x;
     const vm_real low = vmi_smaller(x, y), high = vmi_larger(y, x);
     const int middle = low > VM_C(0.4142135623730950488) * high;
-    const vm_real z = middle ? (low - high) / (low + high) : low / high, t = z * z, tt = t * t;
+    const vm_real half = high > VM_MAX / 2 ? VM_C(0.5) : VM_C(1.0); /* keeps the sum of low and high from overflowing */
+    const vm_real z = middle ? half * (low - high) / (half * low + half * high) : low / high, t = z * z, tt = t * t;
     vm_real angle;
 #if VM_MANT_DIG > 24
     const vm_real A01 = VM_C(-0.333333333333301951) + t * VM_C(0.199999999990984639);
@@ -285,6 +286,19 @@ VM_API vm_two vmi_two_log(vm_two x)
     return vmi_two_sum(l.hi, l.lo + (t - t * t / 2));
 }
 
+/* Turns a point of the unit circle, with the sine s and the cosine c, by `quarter` quarters of a turn, 0 to 3. */
+VM_API void vmi_turn_quarters(int quarter, vm_real s, vm_real c, vm_real *sine, vm_real *cosine)
+{
+    *sine = s;
+    *cosine = c;
+    if (quarter & 1) {
+        *sine = c;
+        *cosine = s;
+    }
+    if (quarter & 2) *sine = -*sine;
+    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+}
+
 /* Computes the sine and the cosine of any angle x in radians. The function first subtracts from |x| the nearest
    multiple of pi/2, computed with pi/2 in two words. Both results are NaN if x is infinite or NaN. */
 VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
@@ -294,14 +308,7 @@ VM_API void vmi_sincos(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     vmi_sin_cos(vmi_reduce(VM_FABS(x), vmi_two(half_pi.hi, half_pi.mid), &quarter), &s, &c);
     if (!VM_IS_FINITE(x)) s = c = VM_NAN;
-    *sine = s;
-    *cosine = c;
-    if (quarter & 1) {
-        *sine = c;
-        *cosine = s;
-    }
-    if (quarter & 2) *sine = -*sine;
-    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+    vmi_turn_quarters(quarter, s, c, sine, cosine);
     if (x < 0) *sine = -*sine;
 }
 

@@ -121,7 +121,7 @@ VM_API vm_two vmi_lambert_depth(vm_real x)
     return vmi_minus(ln);
 }
 
-/* Returns a rough value of W_0(x), right to 2 %, for -1/4 <= x < 1. */
+/* Returns a rough value of W_0(x), right to 2 %, for -0.253 < x < 1. */
 VM_API vm_real vmi_lambert_pade(vm_real x) { return x * (3 + 4 * x) / (3 + x * (7 + x * VM_C(2.5))); }
 
 /* Returns a rough value of W_0(x), right to 2 %, for x >= 1, from L = ln(1 + x) (by Winitzki). */

@@ -22,12 +22,13 @@ VM_API vm_real vmi_poly_unit(vm_real modulus) { return vmi_power_below(vmi_large
 
 /* A polynomial at one point. The point is computed as a multiple z of a power of two, the unit, and the polynomial of
    degree n is divided by unit^n. So the powers of a large root do not overflow. */
-typedef struct vmi_poly_value {
+typedef struct VM_TAG(vmi_poly_value) {
     vm_real unit;
     vm_complex value, slope; /* of the divided polynomial; the slope is its derivative by z */
     vm_real size; /* the sum of the moduli of the terms whose sum is the value */
 } vmi_poly_value;
 
+/* Returns the polynomial of degree n with the coefficients c at the point re + i im. */
 VM_API vmi_poly_value vmi_poly_at(int n, const vm_real *c, vm_real re, vm_real im)
 {
     const vm_real unit = vmi_poly_unit(vmi_hypot(re, im)), modulus = vmi_hypot(re, im) / unit;
@@ -100,7 +101,8 @@ VM_API void vmi_poly_swap(vm_real *re, vm_real *im, int i, int j)
 
 /* Sorts the roots: the real roots come first, from the largest to the smallest; then come the conjugate pairs by rising
    |im|, and in each pair the root with im > 0 is first. Imaginary parts that are only rounding errors become 0, and the
-   two roots of a pair become exactly conjugate. */
+   two roots of a pair become exactly conjugate. (Rounding splits a root of multiplicity 3 or more; its pairs may then
+   stand in another order.) */
 VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
 {
     const vm_real tolerance = 16 * VM_SQRT(VM_EPSILON); /* rounding may split a double root by this relative distance */
@@ -114,7 +116,10 @@ VM_API void vmi_poly_order(int n, const vm_real *c, vm_real *re, vm_real *im)
         }
     }
     for (i = 0; i < n && im[i] == 0;) i++;
-    if ((n - i) % 2) im[i++] = 0;
+    if ((n - i) % 2) { /* a real root that rounding has moved off the axis */
+        im[i] = 0;
+        for (j = i++; j > 0 && re[j] > re[j - 1]; j--) vmi_poly_swap(re, im, j, j - 1);
+    }
     for (; i < n; i += 2) {
         for (j = k = i + 1; k < n; k++)
             if (VM_FABS(re[k] - re[i]) + VM_FABS(im[k] + im[i]) < VM_FABS(re[j] - re[i]) + VM_FABS(im[j] + im[i]))

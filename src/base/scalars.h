@@ -22,10 +22,11 @@ VM_API vm_real vmi_infinity_if(int condition) { return condition ? VM_INFINITY :
    the C library's pow. */
 VM_API vm_real vmi_pow_checked(vm_real x, vm_real y)
 {
+    const vm_real beyond = 1 / (VM_EPSILON * VM_EPSILON); /* with such a y the power is 0 or infinite */
     if (x != x || y != y || x < 0) return VM_NAN;
     if (y == 0 || x == 1) return 1;
     if (x == 0 || x > VM_MAX) return vmi_infinity_if((y > 0) == (x > 0));
-    if (!VM_IS_FINITE(y)) return vmi_infinity_if((y > 0) == (x > 1));
+    y = vmi_clamp(y, -beyond, beyond);
     return vmi_pow_two(vmi_two(x, 0), vmi_two(y, 0));
 }
 
@@ -62,7 +63,7 @@ VM_API vm_two vmi_log1p(vm_two x)
     return vmi_two_plus(vmi_log(y.hi), vmi_two(t.hi, t.lo - t.hi * t.hi / 2));
 }
 
-/* Returns (e^x - 1)/x, which is 1 at x = 0. */
+/* Returns (e^x - 1)/x, which is 1 at x = 0, and infinity where e^x overflows. */
 VM_API vm_real vmi_exp_ratio(vm_real x)
 {
     if (x > VM_MAX) return x;

@@ -12,6 +12,7 @@
        an inertia that no body can have                                  VM_BAD_INERTIA
        an exponent or another parameter outside its domain               VM_DOMAIN
 
+   Mass and inertia of a body that is computed, such as the rest after a separation, are tested after all arguments.
        vm_body rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // whole and part are vm_bodies
        if (status < 0) printf("%s\n", vm_strerror(status));
@@ -56,7 +57,7 @@ enum {
     VM_NOT_ON_ANGLE = -23,       /* scenes: this effect cannot act on an angle */
     VM_IS_THERE = -24,           /* scenes: a part would separate into a body that is present already */
     VM_IS_AWAY = -25,            /* scenes: a jump needs a body that is not present */
-    VM_TWO_LINKS = -26,          /* scenes: a body has two links */
+    VM_TWO_LINKS = -26,          /* scenes: a body has two links, or a link and a landing */
     VM_LINK_NOT_LAST = -27,      /* scenes: another effect on the body stands after its link */
     VM_STORED_STREAM = -28,      /* scenes and reactive loads: a stream comes from a store, which cannot be used here */
     VM_DOES_NOT_GROW = -29,      /* scenes: a stream enters or leaves at a point of a body that is not a growing body */
@@ -104,7 +105,7 @@ VM_API const char *vm_strerror(int status)
     case VM_NOT_ON_ANGLE: return "this effect cannot act on an angle: choose another coordinate";
     case VM_IS_THERE: return "the part that separates is present already: make its body with vm_scene_body_absent";
     case VM_IS_AWAY: return "a jump needs a body that is not present: order the events, or let it be present";
-    case VM_TWO_LINKS: return "a body has two links: leave one out";
+    case VM_TWO_LINKS: return "a body has two links, or a link and a landing: leave one out";
     case VM_LINK_NOT_LAST: return "another effect stands after the link of its body: list the link last";
     case VM_STORED_STREAM: return "a stream from this store cannot be used here: integrate vm_flow_rhs";
     case VM_DOES_NOT_GROW: return "the stream needs a growing body: vm_scene_body_growing_plane or _growing_free";

@@ -291,6 +291,8 @@ VM_API int vmi_find_cut(const rk45 *s, vm_real *cut, int *owner)
             status = vmi_follow_event(s, &look, VMI_SMALLER(*cut, VM_C(1.0)), &at);
             if (status) return status;
             e->side_ahead = look.side;
+            e->slack_ahead = look.slack;
+            e->quiet_ahead = look.quiet;
             if (pass == 0 && !(at < *cut)) continue;
             if (pass > 0 && !(at < *cut - VMI_FIRST_LOOK)) continue;
             *cut = at;
@@ -370,7 +372,7 @@ VM_API int vmi_shorten_step(rk45 *s)
 {
     s->h = s->h_done / 4;
     s->rejected = vmi_count(s->rejected, 1);
-    s->failure = VMI_NOT_FINITE;
+    s->failed = 1;
     return VM_FABS(s->h) >= vmi_least_step(&s->options, s->t) ? (int)ODE_OK : (int)ODE_NOT_FINITE;
 }
 
@@ -387,7 +389,7 @@ VM_API int vmi_meet_at_cut(rk45 *s, vm_real cut, int owner)
     return status;
 }
 
-/* Sets the side of each event to the sign of its g at the end of the step, if no event has ended the step earlier */
+/* Sets side, slack and quiet of each event to those at the end of the step, if no event has ended the step earlier */
 VM_API void vmi_pass_on_sides(rk45 *s)
 {
     int i;
@@ -396,7 +398,8 @@ VM_API void vmi_pass_on_sides(rk45 *s)
         e->happens = 0;
         if (!vmi_ends_step(e)) continue;
         e->side = e->side_ahead;
-        e->quiet = VMI_LARGER(e->quiet - VM_FABS(s->h_done), VM_C(0.0));
+        e->slack = e->slack_ahead;
+        e->quiet = e->quiet_ahead;
     }
 }
 

@@ -47,18 +47,18 @@ VM_API int vmi_restart(rk45 *s, vm_real t, const vm_real *y)
     s->t_old_low = s->t_low;
     if (y != s->y) vmi_copy(s->n, y, s->y);
     s->k1 = VMI_K1_MISSING;
-    s->failure = VMI_NONE_FAILED;
+    s->failed = 0;
     s->next_miss = s->steps;
     return ODE_OK;
 }
 
 /* Prepares a step: evaluates its first derivative k_1 = f(t, y) unless k_1 is known. Gives the step size s->h the sign
-   of the direction to t_end, and makes it at least as long as the shortest step. Returns a status. */
+   of the direction to t_end. Returns a status. */
 VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
 {
     const vm_real left = VM_FABS(vmi_time_left(s, t_end)), longest = VMI_SMALLER(left, s->options.h_max);
     const vm_real direction = vmi_direction(s, t_end);
-    vm_real *k1 = vmi_part(s, VMI_K), least;
+    vm_real *k1 = vmi_part(s, VMI_K);
     int status = ODE_OK;
     s->t_old = s->t; /* the k of the step before this one are overwritten, even if an error follows */
     s->t_old_low = s->t_low;
@@ -73,8 +73,7 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
     s->k1 = VMI_K1_READY;
     if (s->h == 0) status = vmi_first_step(s, direction, longest);
     if (status) return status;
-    least = vmi_least_step(&s->options, s->t);
-    s->h = direction * VMI_LARGER(VM_FABS(s->h), least);
+    s->h = direction * VM_FABS(s->h);
     return ODE_OK;
 }
 
@@ -82,21 +81,24 @@ VMI_APART int vmi_prepare(rk45 *s, vm_real t_end)
    number of such tests is set to 0 when VMI_STIFF_MISSES tests in succession have found steps inside the region. */
 enum { VMI_STIFF_HITS = 15, VMI_STIFF_MISSES = 6 };
 
-/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by
-   h dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f. */
+/* Makes Hairer's test of stiffness [2, IV.2]. A step evaluates f for two states at its end. The two states differ by h
+   dz and their derivatives by dk. Then |dk|/|dz| is about h times the largest eigenvalue of the Jacobian of f, if the
+   components of y are of similar magnitude; otherwise it may be larger. The test is made only if the two states differ
+   by more than 1/1000 of the tolerance, because otherwise dk and dz may be rounding errors. */
 VM_API void vmi_look_for_stiffness(rk45 *s)
 {
     const int last = vmi_last_k(&s->pair), count = last - VMI_K;
     vm_real dk = 0, dz = 0;
-    int i, j;
+    int i, j, differ = 0;
     for (i = 0; i < s->n; i++) {
         const vm_real difference = VM_FABS(vmi_part(s, last)[i] - vmi_part(s, last - 1)[i]);
         vm_real sum = 0;
         dk = VMI_LARGER(dk, difference);
         for (j = 0; j < count; j++) sum += s->pair.end_difference(j) * vmi_part(s, VMI_K + j)[i];
         dz = VMI_LARGER(dz, VM_FABS(sum));
+        if (VM_FABS(s->h_done * sum) > VM_C(1e-3) * vmi_tolerance(&s->options, i, s->y[i])) differ = 1;
     }
-    if (dk > s->pair.stiff_beyond * dz) {
+    if (differ && dk > s->pair.stiff_beyond * dz) {
         s->stiff_misses = 0;
         if (s->stiff_hits < VMI_STIFF_HITS) s->stiff_hits++;
         if (s->stiff_hits == VMI_STIFF_HITS) s->stiff = 1;
@@ -139,7 +141,7 @@ VMI_FOLDED int vmi_run(rk45 *s, vmi_rk_stepper stepper, ode_rhs f, int n, vm_rea
         if (VMI_IS_SMALL(n)) status = vmi_advance_small(s, stepper, sys, t_end, apart);
         else status = vmi_advance(s, stepper, sys, t_end, apart);
         if (status == ODE_OK) status = vmi_after_step(s);
-        if (single && s->failure == VMI_NONE_FAILED) break;
+        if (single && s->failed == 0) break;
     }
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
 }

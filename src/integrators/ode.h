@@ -30,14 +30,15 @@ enum {
     ODE_EVENT = 2,       /* an event has ended the run: s->t, s->y are its time and state, s->event is its index */
     ODE_STIFF = 3,       /* success, but during this call stability, not the tolerance, came to limit the step size;
                             later calls return ODE_OK, and s->stiff remains 1 */
-    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state, rtol, atol or h0 is
-       not finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component has no
-       tolerance, an element of atol_each is negative, h_min is negative or above h_max, or an event has no g, a
+    /* An argument is wrong: a pointer is NULL, n or `steps` is not positive, or a time, a state (not in rk4), rtol,
+       atol or h0 is not finite (t_end may be infinite if an event can end the run). Or an option is wrong: a component
+       has no tolerance, an element of atol_each is negative, h_min is negative or above h_max, or an event has no g, a
        negative room or a negative stop_after. Or a time of output is outside the last step, or the listed times are not
        in order. Or a saved run does not fit, or the init function of another method made the rk45. */
     ODE_BAD_ARGUMENT = -1,
     ODE_RHS_STOPPED = -2, /* f returned a number other than 0, which is s->rhs_status */
-    ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step, or an event function is NaN */
+    ODE_NOT_FINITE = -3,  /* f or the state is infinite or NaN even in the shortest step (rk4: in a step), or an event
+                             function is NaN */
     /* The errors of two steps of the smallest size (h_min, or the resolution of t) were above the tolerance, and fewer
        than three steps lay between these two steps. Then f is singular there, or too stiff for the resolution of t. A
        run also ends with this status if h_max is less than the resolution of t, or if t_end is infinite and t reaches

@@ -60,6 +60,7 @@ typedef struct VM_TAG(ode_event) {
     /* The fields from here on are internal. */
     int side;       /* sign of g at the present time of the run, 0 while it is uncertain */
     int side_ahead; /* sign of g at the end of the step, if no event ends the step earlier */
+    vm_real slack_ahead, quiet_ahead; /* slack and quiet at the end of the step, if no event ends the step earlier */
     int happens;    /* nonzero if this event happens at the end of the step */
     vm_real from;   /* g has been evaluated up to this fraction of the step */
     vm_real slack;  /* after the event, the sign of g is uncertain while |g| <= slack */
@@ -72,6 +73,7 @@ typedef struct VM_TAG(rk45_options) {
     vm_real rtol;             /* relative tolerance of a step; the default is 1e-6 (float 1e-4), negative means none */
     vm_real atol;             /* absolute tolerance of every component; the default is rtol/1000, negative means none */
     vm_real h0;               /* size of the first step, 0: computed from f. Its sign is the direction of rk45_step. */
+    /* Where t has few digits left, rounding may make a step longer than h_max or shorter than h_min by 1/64 (TIME). */
     vm_real h_min;            /* size of the shortest step, except at t_end and events; default: the resolution of t */
     vm_real h_max;            /* size of the longest step; the default is no limit */
     long max_steps;           /* steps that a call of rk45_solve may try; default 1000000, negative means no limit */
@@ -87,7 +89,8 @@ typedef struct VM_TAG(rk45_options) {
 #define VMI_DEFAULT_RTOL VM_C(1e-4)
 #endif
 
-/* Returns the options with each zero replaced by its default, and with rtol raised to at least least_rtol. */
+/* Returns the options with each zero replaced by its default, a positive rtol raised to at least least_rtol, and a
+   negative rtol or atol replaced by 0. */
 VM_API rk45_options vmi_defaults(vm_real least_rtol, const rk45_options *options_or_NULL)
 {
     rk45_options o = {0, 0, 0, 0, 0, 0, NULL, NULL, 0, 0};

@@ -12,7 +12,6 @@
 #ifndef VARMASS_INTEGRATORS_OUTPUT_H
 #define VARMASS_INTEGRATORS_OUTPUT_H
 
-#include "../base/arrays.h"
 #include "../base/real.h"
 #include "dense.h"
 #include "ode.h"
@@ -56,10 +55,15 @@ VM_API int vmi_fill_rows(rk45 *s, int n_times, const vm_real *times, int directi
     return ODE_OK;
 }
 
-/* Does the work of rk45_solve_at for the pair whose number is `method`. The function `run` makes one step by this
+/* Make one step by rk45 or rk87. These two functions are not inlined, because gcc -O1 refuses to inline a function that
+   is called by a pointer. */
+VMI_APART int vmi_rk45_step_to(rk45 *s, vm_real t_end) { return vmi_rk45_run(s, s->f, s->n, t_end, 1); }
+VMI_APART int vmi_rk87_step_to(rk45 *s, vm_real t_end) { return vmi_rk87_run(s, s->f, s->n, t_end, 1); }
+
+/* Does the work of rk45_solve_at for the pair whose number is `method`. The function `step` makes one step by this
    pair. */
-VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int n, vm_real t_end, int single),
-                        int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
+VM_API int vmi_solve_at(rk45 *s, int method, int (*step)(rk45 *s, vm_real t_end), int n_times, const vm_real *times,
+                        vm_real *rows, int *n_done_or_NULL)
 {
     int direction = 1, done = 0, status = ODE_OK, was_stiff;
     if (!s || s->pair.method != method || n_times < 0) return ODE_BAD_ARGUMENT;
@@ -73,7 +77,7 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
         const int filled = vmi_fill_rows(s, n_times, times, direction, rows, &done);
         if (filled) status = filled;
         if (done == n_times || (status != ODE_OK && status != ODE_STIFF)) break;
-        status = run(s, s->f, s->n, times[n_times - 1], 1);
+        status = step(s, times[n_times - 1]);
     }
     if (n_done_or_NULL) *n_done_or_NULL = done;
     return status == ODE_OK && s->stiff > was_stiff ? (int)ODE_STIFF : status;
@@ -88,15 +92,15 @@ VM_API int vmi_solve_at(rk45 *s, int method, int (*run)(rk45 *s, ode_rhs f, int 
    are not finite or neither rise nor fall in this way. */
 VM_API int rk45_solve_at(rk45 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
-    return vmi_solve_at(s, VMI_RK45, vmi_rk45_run, n_times, times, rows, n_done_or_NULL);
+    return vmi_solve_at(s, VMI_RK45, vmi_rk45_step_to, n_times, times, rows, n_done_or_NULL);
 }
 
 /* Continues a run of rk87 to the last of n_times times and writes the state at each of them to a row of n numbers.
-   All else is as in rk45_solve_at. A step with listed times takes seven more evaluations of f, which may also end the
-   run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
+   All else is as in rk45_solve_at. A step with listed times before its end takes seven more evaluations of f, which may
+   also end the run with ODE_RHS_STOPPED or ODE_NOT_FINITE. */
 VM_API int rk87_solve_at(rk87 *s, int n_times, const vm_real *times, vm_real *rows, int *n_done_or_NULL)
 {
-    return vmi_solve_at(s, VMI_RK87, vmi_rk87_run, n_times, times, rows, n_done_or_NULL);
+    return vmi_solve_at(s, VMI_RK87, vmi_rk87_step_to, n_times, times, rows, n_done_or_NULL);
 }
 
 #endif

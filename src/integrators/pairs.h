@@ -12,7 +12,6 @@
 #ifndef VARMASS_INTEGRATORS_PAIRS_H
 #define VARMASS_INTEGRATORS_PAIRS_H
 
-#include "../base/arrays.h"
 #include "../base/real.h"
 #include "ode.h"
 #include "options.h"
@@ -65,8 +64,8 @@ typedef struct VM_TAG(vmi_rk_stepper) {
     /* Computes stages 2, 3 ... of a step from t to t_new = t + h, after which the part VMI_Z of work is the new state.
        Adds the number of evaluations of f to *evals. Returns 0, or the number with which f has stopped the run. */
     int (*make_stages)(vmi_rk_system sys, vm_real t, vm_real t_new, vm_real h, long *evals);
-    /* Returns the largest ratio of the error of a component to its tolerance in a step of size h, or NaN if the error
-       or the new state is not finite. */
+    /* Returns the largest ratio of the error of a component to its tolerance in a step of size h, at most VMI_WORST, or
+       NaN if the error or the new state is not finite. */
     vm_real (*step_error)(const rk45_options *o, vmi_rk_system sys, vm_real h);
 } vmi_rk_stepper;
 

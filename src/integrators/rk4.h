@@ -124,10 +124,10 @@ VM_INLINE int rk4_step(ode_rhs f, void *ctx, int n, vm_real t, vm_real h, vm_rea
     return vmi_rk4(f, ctx, n, &t, h, 1, y, NULL, work);
 }
 
-/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the
-   state at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are the state and
-   the time at the end of the last complete step. Returns the same statuses as rk4_step, and ODE_BAD_ARGUMENT also if
-   `steps` is not positive. */
+/* Makes `steps` equal steps from *t to t_end by the classical Runge-Kutta method. y has n numbers and becomes the state
+   at t_end; *t becomes t_end exactly. If f stops the run or the state is not finite, y and *t are the state and the
+   time at the end of the last complete step. Returns the same statuses as rk4_step, and ODE_BAD_ARGUMENT also if
+   `steps` is not positive or t_end - *t overflows. */
 VM_INLINE int rk4_solve(ode_rhs f, void *ctx, int n, vm_real *t, vm_real t_end, long steps, vm_real *y,
                         vm_real *work)
 {

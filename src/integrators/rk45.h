@@ -57,8 +57,8 @@ VMI_FOLDED int vmi_rk45_stages(vmi_rk_system sys, vm_real t, vm_real t_new, vm_r
     return 0;
 }
 
-/* Returns the largest ratio of the error of a component to its tolerance. The error is the difference of the two new
-   states, of order 5 and of order 4. */
+/* Returns the largest ratio of the error of a component to its tolerance, at most VMI_WORST, or NaN if the error or the
+   new state is not finite. The error is the difference of the two new states, of order 5 and of order 4. */
 VMI_FOLDED vm_real vmi_rk45_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;

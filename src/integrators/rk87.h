@@ -143,8 +143,9 @@ VM_INLINE vm_real vmi_rk87_jump(vm_real k1, vm_real k6, vm_real k7, vm_real k9, 
     return seen * (seen / (seen + change + VM_MIN));
 }
 
-/* Returns the largest ratio of the error of a component to its tolerance. The error is the larger of two numbers: the
-   difference of the new states of orders 8 and 7, and the error that a jump of f may cause (vmi_rk87_jump). */
+/* Returns the largest ratio of the error of a component to its tolerance, at most VMI_WORST, or NaN if the error or the
+   new state is not finite. The error is the larger of two numbers: the difference of the new states of orders 8 and 7,
+   and the error that a jump of f may cause (vmi_rk87_jump). */
 VMI_FOLDED vm_real vmi_rk87_error(const rk45_options *o, vmi_rk_system sys, vm_real h)
 {
     const ptrdiff_t m = sys.m;
@@ -237,6 +238,7 @@ VM_API int vmi_rk87_extend(rk45 *s)
     int i, j, stage, status = ODE_OK;
     if (!vmi_all_finite(s->n, last_k)) status = vmi_eval(s, s->t, s->y, last_k);
     if (status) return status;
+    if (!vmi_all_finite(s->n, last_k)) return ODE_NOT_FINITE;
     for (stage = 0; stage < VMI_RK87_EXTRA; stage++) {
         vm_real *k = vmi_part(s, VMI_K + VMI_RK87_OWN + stage);
         for (i = 0; i < s->n; i++) {

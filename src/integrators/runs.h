@@ -42,7 +42,7 @@ typedef struct VM_TAG(rk45) {
     long attempts;         /* number of steps that may still be tried; negative means no limit */
     int k1;                /* where k_1 of the next step is: VMI_K1_MISSING, VMI_K1_READY or VMI_K1_IS_LAST */
     int extended;          /* nonzero if the continuous extension of the last step is ready */
-    int failure;           /* result of the last attempt: VMI_NONE_FAILED, VMI_REJECTED or VMI_NOT_FINITE */
+    int failed;            /* 1 if the last attempt to make a step failed, else 0 */
     long next_miss;        /* value of `steps` from which on a step of the smallest size may miss the tolerance again */
     int stiff_wait;        /* number of steps until the next test of stiffness */
     int stiff_hits;        /* number of tests that found stiffness since VMI_STIFF_MISSES tests in a row found none */
@@ -50,7 +50,6 @@ typedef struct VM_TAG(rk45) {
 } rk45;
 
 enum { VMI_K1_MISSING, VMI_K1_READY, VMI_K1_IS_LAST };  /* k_1 is unknown, ready, or the last k of the step before */
-enum { VMI_NONE_FAILED, VMI_REJECTED, VMI_NOT_FINITE }; /* results of an attempt */
 enum { VMI_STIFF_WAIT = 100 };                          /* accepted steps from one test of stiffness to the next */
 
 /* Returns the part of work with the index `part`, such as VMI_Y: an array of n numbers. */
@@ -79,7 +78,7 @@ VM_API void vmi_init_fields(rk45 *s, ode_rhs f, void *ctx, int n, vm_real t0, vm
     s->event = -1;
     s->k1 = VMI_K1_MISSING;
     s->extended = 0;
-    s->failure = VMI_NONE_FAILED;
+    s->failed = 0;
     s->stiff = 0;
     s->stiff_wait = VMI_STIFF_WAIT;
     s->stiff_hits = 0;
@@ -94,6 +93,8 @@ VM_API void vmi_init_event(ode_event *e, vm_real t0)
     e->t = t0;
     e->side = 0;
     e->side_ahead = 0;
+    e->slack_ahead = 0;
+    e->quiet_ahead = 0;
     e->happens = 0;
     e->from = 0;
     e->slack = 0;
@@ -105,6 +106,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
                        const rk45_options *options_or_NULL, vm_real *work)
 {
     const rk45_options o = vmi_defaults(vmi_least_rtol(pair), options_or_NULL);
+    const int is_raised = options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol;
     int i;
     if (!s || !f || n <= 0 || !y0 || !work || !VM_IS_FINITE(t0) || !vmi_all_finite(n, y0) ||
         !vmi_options_are_valid(&o, n))
@@ -118,8 +120,7 @@ VMI_APART int vmi_init(rk45 *s, const vmi_rk_pair *pair, ode_rhs f, void *ctx, i
     s->attempts = o.max_steps;
     vmi_copy(n, y0, s->y);
     for (i = n; i < (VMI_K + pair->derivatives) * n; i++) work[i] = 0; /* then all bytes of a saved run are defined */
-    if (options_or_NULL && options_or_NULL->rtol > 0 && options_or_NULL->rtol < o.rtol) return ODE_RTOL_RAISED;
-    return ODE_OK;
+    return is_raised ? (int)ODE_RTOL_RAISED : (int)ODE_OK;
 }
 
 /* Computes the state y = y_old + h (b[0] k_1 + b[1] k_2 + ...) at the fraction x of the last step; the sum in brackets

@@ -158,7 +158,7 @@ VM_API void vmi_saved_move_run(vmi_saved_place *p, rk45 *s)
     vmi_saved_int(p, &s->event);
     vmi_saved_int(p, &s->k1);
     vmi_saved_int(p, &s->extended);
-    vmi_saved_int(p, &s->failure);
+    vmi_saved_int(p, &s->failed);
     vmi_saved_int(p, &s->stiff);
     vmi_saved_int(p, &s->stiff_wait);
     vmi_saved_int(p, &s->stiff_hits);
@@ -256,8 +256,8 @@ VM_API int vmi_resume(rk45 *s, int method, long size, const unsigned char *bytes
 
 /* Saves a run of rk45 between two calls as bytes. The array `bytes` has `size` elements, at least RK45_SAVED(n, number
    of events). The arrays `times` and `states` of events, ctx and the options are not saved, because they belong to the
-   caller. A call takes as long as a copy of the bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null pointer, a negative
-   size or a run by rk87; ODE_WORK_TOO_SMALL if `size` is too small. */
+   caller. The time of a call is proportional to the number of bytes. Returns ODE_OK; ODE_BAD_ARGUMENT for a null
+   pointer, a negative size or a run by rk87; ODE_WORK_TOO_SMALL if `size` is too small. */
 VM_API int rk45_save(const rk45 *s, long size, unsigned char *bytes) { return vmi_save(s, VMI_RK45, size, bytes); }
 
 /* Copies the numbers of a saved run of rk45 into s, which rk45_init has made with the f, n, options and events of the

@@ -52,8 +52,10 @@ VM_API vm_real vmi_norm_by_tolerance(const rk45 *s, const vm_real *v)
 
 /* Chooses the size s->h of the first step from the magnitudes of y, y' and y'' (Hairer et al. [2, II.4]). The aim is an
    error of this step of 1 % of the tolerance. |s->h| is at most `longest`, and at most 100 times the size of a step
-   that changes y by 1 % (at most 1e-4 if y or y' is below 1e-5 of the tolerance). `direction`, 1 or -1, is the sign of
-   s->h. The function overwrites k_2 and the part VMI_Z of work. Returns a status. */
+   that changes y by 1 % (at most 1e-4 if y or y' is below 1e-5 of the tolerance). A ratio of y, y' or y'' to the
+   tolerance counts as at most VMI_LARGEST_RATIO; if y' is larger, the first step may be too long and be rejected.
+   `direction`, 1 or -1, is the sign of s->h. The function overwrites k_2 and the part VMI_Z of work. Returns a status.
+   */
 VM_API int vmi_first_step(rk45 *s, vm_real direction, vm_real longest)
 {
     vm_real *k1 = vmi_part(s, VMI_K), *k2 = vmi_part(s, VMI_K + 1), *z = vmi_part(s, VMI_Z);
@@ -127,7 +129,7 @@ typedef struct VM_TAG(vmi_progress) {
     long steps, rejected, missed;   /* numbers of steps since vmi_advance was called */
     long next_miss;                 /* value of `steps` from which on a step may miss the tolerance again */
     long attempts;                  /* number of steps that may still be tried; negative means no limit */
-    int k1, failure, stiff_wait;    /* the fields of rk45 with these names */
+    int k1, failed, stiff_wait;     /* the fields of rk45 with these names */
     int stopped;                    /* number that f returned last; if it is not 0, the run stops */
 } vmi_progress;
 
@@ -151,7 +153,7 @@ VMI_FOLDED vmi_progress vmi_begin_progress(const rk45 *s, vm_real t_end)
     p.next_miss = s->next_miss - s->steps;
     p.attempts = s->attempts;
     p.k1 = VMI_K1_READY;
-    p.failure = s->failure;
+    p.failed = s->failed;
     p.stiff_wait = s->stiff_wait;
     p.stopped = 0;
     return p;
@@ -170,10 +172,10 @@ VMI_FOLDED void vmi_store_progress(rk45 *s, const vmi_progress *p)
     s->next_miss = vmi_count(s->steps, p->next_miss);
     s->steps = vmi_count(s->steps, p->steps);
     s->rejected = vmi_count(s->rejected, p->rejected);
-    s->missed += p->missed;
+    s->missed = vmi_count(s->missed, p->missed);
     s->attempts = p->attempts;
     s->k1 = p->k1;
-    s->failure = p->failure;
+    s->failed = p->failed;
     s->stiff_wait = p->stiff_wait;
     s->rhs_status = p->stopped;
     s->extended = 0;
@@ -241,13 +243,12 @@ VMI_FOLDED void vmi_drop_missed_step(vmi_rk_system sys, vmi_progress *p)
 
 /* Rejects a step whose error is above the tolerance or NaN, and chooses the size of the next attempt. Returns ODE_OK if
    a shorter step can be tried. Otherwise returns the status with which the run ends. If the run ends and the last
-   accepted step missed the tolerance, that step is undone. */
+   accepted step missed the tolerance and was made in this call of vmi_advance, that step is undone. */
 VMI_FOLDED int vmi_reject(int order, const vmi_trial *trial, vm_real error, vmi_rk_system sys, vmi_progress *p)
 {
     const int not_a_number = error != error;
     p->rejected++;
-    p->failure = VMI_REJECTED;
-    if (not_a_number) p->failure = VMI_NOT_FINITE;
+    p->failed = 1;
     p->h_next = trial->h * vmi_shrink(order, error);
     if (!trial->shortest) return ODE_OK;
     if (p->missed > 0 && p->steps == p->next_miss - VMI_BETWEEN_MISSES) vmi_drop_missed_step(sys, p);
@@ -287,9 +288,9 @@ VM_INLINE int vmi_take_middle_slope(int stages, vmi_rk_system sys, vm_real h)
 VMI_FOLDED void vmi_choose_size(int order, vm_real keep_from, const vmi_trial *trial, vm_real error, vmi_progress *p)
 {
     vm_real factor;
-    if (!(error < keep_from || error > VMI_KEEP_TO || p->failure || trial->last)) return;
+    if (!(error < keep_from || error > VMI_KEEP_TO || p->failed || trial->last)) return;
     factor = vmi_factor(order, error, p->inverse_error);
-    if (p->failure && factor > 1) factor = 1;
+    if (p->failed && factor > 1) factor = 1;
     if (!trial->last) {
         p->h_next = trial->h * factor;
     } else { /* a step may be short only because it ends at t_end; the next step need not be short */
@@ -350,7 +351,7 @@ VMI_FOLDED int vmi_advance(rk45 *s, vmi_rk_stepper stepper, vmi_rk_system sys, v
         p.t = trial.t_new;
         p.t_low = trial.t_new_low;
         p.h_done = trial.h;
-        p.failure = VMI_NONE_FAILED;
+        p.failed = 0;
         p.k1 = VMI_K1_IS_LAST;
         p.stiff_wait--;
         if (p.stiff_wait <= 0 || single || trial.last) break;

@@ -19,7 +19,7 @@
 /* Returns 1 if m1 = 1 - m is negative, infinite or NaN, so that no elliptic function has this parameter, else 0. */
 VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 
-/* The largest number of pairs a_n, b_n in a vmi_ladder. The smallest m1 > 0, 5e-324, needs 13 pairs. */
+/* The largest number of pairs a_n, b_n in a vmi_ladder. m = -1.8e308 needs most pairs, 13. */
 #define VMI_LADDER 16
 
 /* The numbers a_n and b_n of all steps of the arithmetic-geometric mean. sn, cn and dn are computed from these numbers,
@@ -27,7 +27,6 @@ VM_API int vmi_refused(vm_real m1) { return !(m1 >= 0) || !VM_IS_FINITE(m1); }
 typedef struct VM_TAG(vmi_ladder) {
     int n;                                /* index of the last pair a_n, b_n */
     vm_real a[VMI_LADDER], b[VMI_LADDER]; /* a_0 = 1, b_0 = k'; a_(n+1) = (a_n + b_n)/2, b_(n+1) = sqrt(a_n b_n) */
-    vm_real c;                            /* c_n = (a_(n-1) - b_(n-1))/2, where n is the field n */
 } vmi_ladder;
 
 /* Computes agm(1, b0) for a finite b0 > 0 in at most `steps` steps, but at least one. If the number of steps allows,
@@ -37,16 +36,17 @@ typedef struct VM_TAG(vmi_ladder) {
    for |a_n u| <= pi/4. */
 VM_API void vmi_agm(vmi_ladder *l, vm_real b0, int steps)
 {
+    vm_real c; /* c_n = (a_(n-1) - b_(n-1))/2 */
     int n = 0;
     l->a[0] = 1;
     l->b[0] = b0;
     do {
         vm_real a = l->a[n], b = l->b[n];
-        l->c = (a - b) / 2;
+        c = (a - b) / 2;
         n++;
         l->a[n] = (a + b) / 2;
         l->b[n] = VM_SQRT(a * b);
-    } while (4 * l->c * l->c > VM_EPSILON * l->a[n] * l->a[n] && n < steps && n < VMI_LADDER - 1);
+    } while (4 * c * c > VM_EPSILON * l->a[n] * l->a[n] && n < steps && n < VMI_LADDER - 1);
     l->n = n;
 }
 

@@ -236,7 +236,7 @@ VM_API vm_real vmi_rc(vm_real x, vm_real y)
 {
     vm_real factor = 1;
     if (y < 0) {
-        factor = VM_SQRT(x / (x - y));
+        factor = VM_SQRT(x) / VM_SQRT(x - y);
         x -= y;
         y = -y;
     }
@@ -414,6 +414,7 @@ VM_API vm_real jacobi_RC(vm_real x, vm_real y)
     if (!(x >= 0) || y != y) return VM_NAN;
     if (y == 0 || !VM_IS_FINITE(largest)) return vmi_carlson_limit(y == 0, !VM_IS_FINITE(largest));
     by = vmi_carlson_scale_of(largest);
+    if (y < 0 && vmi_carlson_is_lost(by, x)) return -VM_SQRT(x) / y; /* the limit for a small x */
     if (!vmi_carlson_is_lost(by, VM_FABS(y))) return by.root * vmi_rc(by.factor * x, by.factor * y);
     return jacobi_RF(x, VM_FABS(y), VM_FABS(y)); /* R_C does not depend on the sign of a y this small */
 }
@@ -440,11 +441,12 @@ VM_API vm_real jacobi_RD(vm_real x, vm_real y, vm_real z)
    is 0. R_J is computed from R_J(x, y, z, other), where `other` is a positive number (DLMF 19.20.14). */
 VM_API vm_real vmi_rj_principal(vm_real x, vm_real y, vm_real z, vm_real p)
 {
-    const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), product = x * y + other * q;
+    const vm_real q = -p, other = (z * ((x + y) + q) - x * y) / (z + q), share = x * (y / other) + q;
     vm_real rf, rj, rest;
     rf = vmi_rf_rj(x, y, z, other, &rj);
     rest = 3 * ((other - z) * rj - rf);
-    return (rest + 3 * VM_SQRT(x * y * z / product / other) * vmi_rc(product / other, q)) / (z + q);
+    rest += 3 * VM_SQRT(x / other) * VM_SQRT(y / other) * VM_SQRT(z / share) * vmi_rc(share, q);
+    return rest / (z + q);
 }
 
 /* R_J(x, y, z, p), Carlson's integral of the third kind, for x, y, z >= 0. R_J does not change if x, y and z are
@@ -462,6 +464,7 @@ VM_API vm_real jacobi_RJ(vm_real x, vm_real y, vm_real z, vm_real p)
     if (!vmi_carlson_allowed(x, y, z) || p != p) return VM_NAN;
     if (zeros && !infinite && p < 0) return -VM_INFINITY;
     if (zeros || infinite) return vmi_carlson_limit(zeros, infinite);
+    if (-p * VM_EPSILON * VM_EPSILON > top) return 3 * jacobi_RF(x, y, z) / p; /* the limit for a large |p| */
     by = vmi_carlson_scale_of(largest);
     if (vmi_carlson_is_lost(by, x) || vmi_carlson_is_lost(by, y) || vmi_carlson_is_lost(by, z)) return VM_NAN;
     if (vmi_carlson_is_lost(by, VM_FABS(p))) return VM_NAN;

@@ -19,6 +19,7 @@
 #ifndef VARMASS_JACOBI_INCOMPLETE_H
 #define VARMASS_JACOBI_INCOMPLETE_H
 
+#include "../base/bits.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/sums.h"
@@ -110,7 +111,7 @@ VM_API vm_real vmi_F(vm_real phi, vm_real m1, vm_real m1_lo)
 }
 
 /* F(phi | m), the incomplete elliptic integral of the first kind. F is the inverse of the amplitude. F is odd in phi,
-   and for m <= 1 F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 F is
+   and for m <= 1, F(phi + pi) = F(phi) + 2K. The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 F is
    phi for infinite phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 F is infinite for |phi| > pi/2.
    For m > 1 F is NaN where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. docs/peers.md has the time of a call.
    DLMF 19.2.4, 19.25.5. */
@@ -160,10 +161,10 @@ VM_API vm_real vmi_E_incomplete(vm_real phi, vm_real m, vm_real m1, vm_real m1_l
     return vmi_with_turns(angle.turns, vmi_E(m1, m1_lo), part);
 }
 
-/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1 E(phi + pi) = E(phi)
-   + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for infinite phi. For m =
-   -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where m sin^2 phi > 1, for |phi|
-   > pi/2, and for infinite m. docs/peers.md has the time of a call. DLMF 19.2.5. */
+/* E(phi | m), the incomplete elliptic integral of the second kind. E is odd in phi, and for m <= 1, E(phi + pi) =
+   E(phi) + 2E(m). The error is at most 8 ulp for |phi| <= 1e9 (float 1e4). For m <= 1 E is phi for infinite phi. For m
+   = -infinity E is infinite with the sign of phi, but 0 for phi = 0. For m > 1 E is NaN where m sin^2 phi > 1, for
+   |phi| > pi/2, and for infinite m. docs/peers.md has the time of a call. DLMF 19.2.5. */
 VM_API vm_real jacobi_E_incomplete(vm_real phi, vm_real m)
 {
     const vm_two m1 = vmi_two_sum(1, -m);
@@ -225,8 +226,8 @@ VM_API vm_real jacobi_D(vm_real m) { return vmi_D(1 - m); }
    Domain and accuracy are those of jacobi_D. Use it for m close to 1, where the difference 1 - m would lose digits. */
 VM_API vm_real jacobi_D_m1(vm_real m1) { return vmi_D(m1); }
 
-/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi D(phi | m) is 2
-   D(m) - D(pi - phi | m), but this difference would triple the errors. Therefore the function adds the result of
+/* Returns D(phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, D(phi | m) is 2 D(m) -
+   D(pi - phi | m), but this difference would triple the errors. Therefore the function adds the result of
    vmi_D_complement to D(m) there. */
 VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 {
@@ -250,7 +251,7 @@ VM_API vm_real vmi_D_incomplete(vm_real phi, vm_real m1, vm_real m1_lo)
 }
 
 /* D(phi | m) = (F(phi | m) - E(phi | m))/m, the incomplete integral of sin^2 x/sqrt(1 - m sin^2 x). No digits are lost,
-   not even for m = 0. D is odd in phi, and for m <= 1 D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
+   not even for m = 0. D is odd in phi, and for m <= 1, D(phi + pi) = D(phi) + 2D(m). The error is at most 8 ulp for
    |phi| <= 1e9 (float 1e4) and m >= -1e300 (float -1e30), unless phi^3 underflows. For m <= 1 D is phi for infinite
    phi, 0 for m = -infinity, and NaN if both are infinite. For m = 1 D is infinite for |phi| > pi/2. For m > 1 D is NaN
    where m sin^2 phi > 1, for |phi| > pi/2, and for infinite m. A call takes as long as one of jacobi_E_incomplete. DLMF
@@ -374,8 +375,8 @@ VM_API vm_real vmi_Pi_complement(vm_two s, vm_two c, vm_real n, vm_real m1, vm_r
     return lift * (vmi_times_sum(c, vmi_two(rf, 0), third) / (1 - n));
 }
 
-/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi Pi(n; phi | m) is 2
-   Pi(n | m) - Pi(n; pi - phi | m), but this difference usually triples the errors. Therefore, for n < 1, the function
+/* Returns Pi(n; phi | m) for 1 - m = m1 + m1_lo, a number in two words. For phi between pi/2 and pi, Pi(n; phi | m) is
+   2 Pi(n | m) - Pi(n; pi - phi | m), but this difference usually triples the errors. Therefore, for n < 1, the function
    adds the result of vmi_Pi_complement to Pi(n | m) there, if vmi_Pi_complement reports that this sum is more exact. */
 VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, vm_real m1_lo)
 {
@@ -403,7 +404,7 @@ VM_API vm_real vmi_Pi_incomplete(vm_real phi, vm_real n, vm_real m, vm_real m1, 
 }
 
 /* Pi(n; phi | m), the incomplete elliptic integral of the third kind. The characteristic n is any number. Pi is odd in
-   phi, and for m <= 1 Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
+   phi, and for m <= 1, Pi(phi + pi) = Pi(phi) + 2 Pi(n | m). The error is at most 8 ulp for n <= 1 and |phi| <= 1e9
    (float 1e4). For n > 1 Pi has poles where n sin^2 phi = 1; if rounding makes n sin^2 phi equal to 1, Pi is infinite.
    Beyond the first pole Pi is Cauchy's principal value. For n > 1 the error is at most 16 eps max(|F|, |Pi|), plus the
    effect of changing n by 4 ulp. For a finite phi, Pi is 0 for infinite n and a finite m < 1, and for m = -infinity and

@@ -10,6 +10,8 @@
 #ifndef VARMASS_JACOBI_INVERSE_H
 #define VARMASS_JACOBI_INVERSE_H
 
+#include "../base/elementary.h"
+#include "../base/hypot.h"
 #include "../base/real.h"
 #include "../base/sums.h"
 #include "../base/words.h"
@@ -41,6 +43,13 @@ VM_API vm_real jacobi_inverse_sn(vm_real x, vm_real m)
    digits. */
 VM_API vm_real jacobi_inverse_sn_m1(vm_real x, vm_real m1) { return vmi_inverse_sn(x, m1, 0); }
 
+/* Returns ln(4/(x + root)), the limit of u for tiny numbers x = dn u and root = |cn u|, or the reverse, where m is 1 or
+   next to it. */
+VM_API vm_real vmi_inverse_next_to_1(vm_real x, vm_real root)
+{
+    return VM_C(1.386294361119890572454) - vmi_log(x + root).hi;
+}
+
 /* Returns the inverse of cn for 1 - m = m1 + m1_lo, a number in two words. For x >= 0 the inverse is at most K. For
    x < 0 it is 2 K minus the inverse at |x|. */
 VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
@@ -51,7 +60,8 @@ VM_API vm_real vmi_inverse_cn(vm_real x, vm_real m1, vm_real m1_lo)
     if (!VM_IS_FINITE(m1)) return 0;
     if (m1 == 0 && x < 0) return VM_NAN;
     if (x == 0) return vmi_K(m1, m1_lo);
-    u = VM_SQRT(ss) * vmi_rf(cc, cc + m1 * ss, 1);
+    if (cc + m1 < VM_MIN / VM_EPSILON) u = vmi_inverse_next_to_1(VM_FABS(x), vmi_hypot(x, VM_SQRT(m1)));
+    else u = VM_SQRT(ss) * vmi_rf(cc, cc + m1 * ss, 1);
     if (x < 0) return 2 * vmi_K(m1, m1_lo) - u;
     return u;
 }
@@ -70,6 +80,19 @@ VM_API vm_real jacobi_inverse_cn(vm_real x, vm_real m)
    digits. */
 VM_API vm_real jacobi_inverse_cn_m1(vm_real x, vm_real m1) { return vmi_inverse_cn(x, m1, 0); }
 
+/* Returns the inverse of dn for a tiny x, whose square may underflow; then m1 <= x^2 is tiny, too. |cn u| is the root
+   of x^2 - m1, which is computed with x and m1 multiplied by large powers of 4. */
+VM_API vm_real vmi_inverse_dn_next_to_1(vm_real x, vm_real m1, vm_real m1_lo)
+{
+    const vm_real lift = VMI_RJ_LIFT;
+    const vm_two lifted = vmi_two_product(lift * x, lift * x);
+    const vm_real rest = (lifted.hi - lift * lift * m1) + lifted.lo;
+    if (x == 0) return VM_INFINITY;
+    if (m1 == 0) return vmi_inverse_next_to_1(x, x);
+    if (!(rest > 0)) return vmi_K(m1, m1_lo);
+    return vmi_inverse_next_to_1(x, VM_SQRT(rest) / lift);
+}
+
 /* Returns the inverse of dn for 1 - m = m1 + m1_lo, a number in two words. With s = sn u and c = cn u, s^2 is
    (1 - x^2)/m, and c^2 is (x^2 - m1)/m. The difference x^2 - m1 is computed from the exact square of x. If x is the
    rounded value of k', the computed c^2 may be negative, and s^2 above 1; then c is 0, and the inverse is K. */
@@ -80,6 +103,7 @@ VM_API vm_real vmi_inverse_dn(vm_real x, vm_real m, vm_real m1, vm_real m1_lo)
     vm_real ss, cc;
     if (!(x >= vmi_smaller(bound, 1) && x <= vmi_larger(bound, 1)) || !(m1 >= 0)) return VM_NAN;
     if (x == 1) return 0;
+    if (square.hi < VM_MIN / VM_EPSILON) return vmi_inverse_dn_next_to_1(x, m1, m1_lo);
     cc = ((square.hi - m1) + (square.lo - m1_lo)) / m;
     if (!(cc > 0)) return vmi_K(m1, m1_lo);
     ss = vmi_smaller((1 - x) * (1 + x) / m, 1);

@@ -20,11 +20,13 @@
 /* sn, cn and dn of the argument u for any finite parameter m. For m <= 1 the results are those of jacobi_sncndn. For
    m > 1 they are
      sn(u | m) = sn(k u | 1/m)/k,  cn(u | m) = dn(k u | 1/m),  dn(u | m) = cn(k u | 1/m),  k = sqrt(m).
-   For m > 1 the error is at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4), and at most 8 ulp for
-   |u| <= 100 K(1/m)/k. Returns NaN for infinite m. For m > 1 the product k u is computed in two words. Its second word,
+   For m > 1 the error is at most 4 eps (4 eps/k for sn) for |k u| <= 1e9 (float 1e4). For |u| <= 100 K(1/m)/k it is at
+   most 8 ulp plus the change that the error of k u, a number in two words, makes; this change matters only next to a
+   zero of sn or dn. Returns NaN for infinite m. For m > 1 the product k u is computed in two words. Its second word,
    the variable h, changes sn, cn and dn a little; two terms of their Taylor series in h add this change. */
 VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
+    const vm_real scale = m > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* keeps the quotient m1 from overflowing */
     vm_two k, phase, m1;
     vm_real s, c, d, h;
     if (!(m > 1) || !VM_IS_FINITE(m) || !VM_IS_FINITE(u)) {
@@ -32,11 +34,16 @@ VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm
         return;
     }
     k = vmi_root(m, 0);
-    m1 = vmi_two_over(vmi_two_sum(m, -1), vmi_two(m, 0));
+    if (VM_FABS(u) > 20 / VM_EPSILON / k.hi) { /* k u is above K/eps for every m > 1 */
+        *sn = 0 * u;
+        *cn = *dn = 1;
+        return;
+    }
+    m1 = vmi_two_over(vmi_two_sum(m * scale, -scale), vmi_two(m * scale, 0));
     phase = vmi_two_scaled(k, u);
     vmi_sncndn(phase.hi, m1.hi, m1.lo, &s, &c, &d);
-    h = phase.lo;
-    *sn = (s + h * (c * d - h / 2 * s * (d * d + c * c / m))) / k.hi;
+    h = VM_FABS(phase.hi) < 1 / VM_EPSILON ? phase.lo : 0;
+    *sn = vmi_clamp(s + h * (c * d - h / 2 * s * (d * d + c * c / m)), -1, 1) / k.hi;
     *cn = vmi_clamp(d - h / m * (s * c + h / 2 * d * (c * c - s * s)), 0, 1);
     *dn = vmi_clamp(c - h * (s * d + h / 2 * c * (d * d - s * s / m)), -1, 1);
 }

@@ -102,14 +102,7 @@ VM_API void vmi_sincos_turns(vm_real x, vm_real *sine, vm_real *cosine)
     vm_real s, c;
     z.lo += rest * half_pi.mid;
     vmi_sin_cos(z, &s, &c);
-    *sine = s;
-    *cosine = c;
-    if (quarter & 1) {
-        *sine = c;
-        *cosine = s;
-    }
-    if (quarter & 2) *sine = -*sine;
-    if (quarter == 1 || quarter == 2) *cosine = -*cosine;
+    vmi_turn_quarters(quarter, s, c, sine, cosine);
 }
 
 /* The numbers from which vmi_doubled_at computes theta_4(z + i zy), up to a real factor, which does not matter: only

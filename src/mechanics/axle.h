@@ -82,21 +82,36 @@ VM_API int vmi_axle_direction(const vm_axle *axle, vm_vec3 *e)
     return VM_OK;
 }
 
+/* The rounding error of the moment of inertia of *b about the axle through O along the unit vector e. The rounding
+   errors of e, of the attitude and of the positions enter with their squares, because the moment of a rod about its own
+   axis is the least one. */
+VM_API vm_real vmi_axle_inertia_error(const vm_body *b, vm_vec3 O, vm_vec3 e)
+{
+    const vmi_mat3 turn = vmi_rotation(b->q);
+    const vm_real reach = VMI_LOST_SHARE * (vmi_norm1(b->r) + vmi_norm1(O));
+    const vm_real turned = VMI_LOST_SHARE * vmi_inertia_trace(&b->inertia);
+    vmi_mat3 own;
+    own.x = own.y = own.z = vmi_times_transposed(&turn, e);
+    return VMI_LOST_SHARE * (vmi_inertia_sizes(&b->inertia, &own).xx + turned) + b->mass * (reach * reach);
+}
+
 /* Sets the motion of the body *b about the axle, and computes the impulse of the axle. *b must already have the mass,
    the inertia and the position after the jump. *sum contains the quantities that vmi_axle_sum describes. `before` is
    the angular velocity of the body about the axle before the jump. Returns VM_NULL_AXIS if *b has no inertia about the
-   axle, but would need angular momentum about it, else VM_OK. */
+   axle, apart from rounding errors, but would need angular momentum about it, else VM_OK. */
 VM_API int vmi_axle_turn(vm_vec3 O, vm_vec3 e, vm_vec3 before, const vmi_axle_sum *sum, vm_body *b,
                          vm_impulse *reaction)
 {
     const vm_vec3 d = sum->arm, speed = vm_cross(e, d); /* velocity of the mass centre at 1 rad/s */
     const vm_vec3 column = vm_add(vmi_spin_momentum_at(b, e), vm_scale(b->mass, vm_cross(d, speed)));
     const vm_real inertia = vm_dot(e, column), momentum = vm_dot(e, sum->angular);
+    const vm_real reach = vmi_norm1(b->r) + vmi_norm1(O);
+    const vm_real momentum_error = VMI_LOST_SHARE * (vmi_norm1(sum->angular) + reach * vmi_norm1(sum->linear));
     vm_real change = 0;
     vm_vec3 couple;
     int status = VM_OK;
-    if (inertia > 0) change = momentum / inertia;
-    else if (momentum != 0) status = VM_NULL_AXIS;
+    if (inertia > vmi_axle_inertia_error(b, O, e)) change = momentum / inertia;
+    else if (VM_FABS(momentum) > momentum_error) status = VM_NULL_AXIS;
     b->omega = vm_add(before, vm_scale(change, e));
     b->v = vm_cross(b->omega, d);
     reaction->at = O;

@@ -6,7 +6,7 @@
        vm_body wheel = {5, {2, 2, 1, 0, 0, 0}, {1, 0, 0, 0}, {0, 0, 0}, {10, 0, 0}, {0, 0, 3}};
        vm_vec3 origin = {0, 0, 0}, L = vm_angular_momentum(&wheel, origin); // L.z = 3 N m s
 
-   Tests: tests/test_momenta.c. */
+   Tests: tests/test_bodies.c. */
 #ifndef VARMASS_MECHANICS_BODIES_H
 #define VARMASS_MECHANICS_BODIES_H
 

@@ -1,11 +1,11 @@
-/* mechanics/bodies2.h - angular momentum and energy of bodies in the plane, and their conversion to bodies in space In
+/* mechanics/bodies2.h - angular momentum and energy of bodies in the plane, and their conversion to bodies in space  In
    the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
    dissertation [1]. The type of such a body, vm_body2, is in bodies.h.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
        vm_real T = vm_kinetic_energy2(&plate);      // (2 3^2 + 0.1 8^2)/2 = 12.2 J
 
-   Tests: tests/test_momenta.c, tests/test_jumps2.c. */
+   Tests: tests/test_bodies.c, tests/test_jumps2.c. */
 #ifndef VARMASS_MECHANICS_BODIES2_H
 #define VARMASS_MECHANICS_BODIES2_H
 
@@ -32,7 +32,7 @@ VM_API vm_real vm_kinetic_energy2(const vm_body2 *body)
 
 /* Converts a body that moves in the plane to a body in space: a thin plate in the plane z = 0. Its inertia has the
    entries xx = yy = zz/2, its quaternion q has length 1, and its motion is that of *body. *body is not checked. For a
-   null pointer all numbers of the result are NaN. */
+   null pointer all numbers of the result that depend on the body are NaN. */
 VM_API vm_body vm_body_from_body2(const vm_body2 *body)
 {
     const vm_body2 none = {VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN, VM_NAN};

@@ -17,8 +17,6 @@
 #ifndef VARMASS_MECHANICS_BROKEN_ROTOR_H
 #define VARMASS_MECHANICS_BROKEN_ROTOR_H
 
-#include <string.h>
-
 #include "../base/arrays.h"
 #include "../base/elementary.h"
 #include "../base/hypot.h"
@@ -98,7 +96,8 @@ typedef struct VM_TAG(vm_broken_rotor_break) {
                                               the velocity of S2 perpendicular to S2A [(58) corrected]. */
     vm_real stop_inertia;                  /* If the piece had this inertia I_S2, kg m^2, the remainder would not turn
                                               after the break. If the value is < 0 or not finite, no such inertia
-                                              exists. If alpha = 0 and the velocity of S is along SA or 0, the value
+                                              exists; nor if it is so large that the remainder would have no positive
+                                              inertia. If alpha = 0 and the velocity of S is along SA or 0, the value
                                               is I_S (R - SS2)/R [after (64), corrected]. */
 } vm_broken_rotor_break;
 

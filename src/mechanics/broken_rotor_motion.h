@@ -192,12 +192,12 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
 }
 
 /* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
-   The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if |t|
-   times vmi_broken_rotor_rate exceeds 1. Let w = omega and k = k*. The initial angle is psi0, and its initial rate is
-   rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt)
-   is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2
-   give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is w^2 E0 for g0, w^2 E1
-   for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+   The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if there
+   is no coupling and |t| times vmi_broken_rotor_rate exceeds 2. Let w = omega and k = k*. The initial angle is psi0,
+   and its initial rate is rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 =
+   (t - E1)/k. E0 = e^(-kt) is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi.
+   The functions g0, g1, g2 give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is
+   w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -232,18 +232,20 @@ VM_API int vmi_broken_rotor_check_motion(const vm_broken_rotor *rotor, vm_real t
 VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, int coupled,
                                        vm_real *end)
 {
-    vm_real y[VM_BROKEN_ROTOR_STATES], z[VMI_BROKEN_ROTOR_COUPLED], x0, vx0;
+    vm_real y[VM_BROKEN_ROTOR_STATES], z[VMI_BROKEN_ROTOR_COUPLED], x0, vx0, rate;
     vmi_broken_rotor_linear a;
     vmi_broken_rotor_swing g;
     const int status = vmi_broken_rotor_check_motion(rotor, t, start, end);
     if (status) return status;
     a = vmi_broken_rotor_reduced(rotor, coupled);
+    rate = vmi_broken_rotor_rate(&a);
+    if (!VM_IS_FINITE(rate)) return VM_NOT_FINITE;
     g = vmi_broken_rotor_swing_at(t, a.omega);
     z[VMI_BROKEN_ROTOR_Y] = start[VM_BROKEN_ROTOR_X + 1];
     z[VMI_BROKEN_ROTOR_PSI] = start[VM_BROKEN_ROTOR_ANGLE];
     z[VMI_BROKEN_ROTOR_Y_RATE] = start[VM_BROKEN_ROTOR_V + 1];
     z[VMI_BROKEN_ROTOR_PSI_RATE] = start[VM_BROKEN_ROTOR_OMEGA];
-    if (coupled || VM_FABS(t) * vmi_broken_rotor_rate(&a) <= 1) vmi_broken_rotor_advance(t, &a, z);
+    if (a.coupling != 0 || VM_FABS(t) * rate <= 2) vmi_broken_rotor_advance(t, &a, z);
     else vmi_broken_rotor_follow(t, &a, &g, z);
     x0 = start[VM_BROKEN_ROTOR_X];
     vx0 = start[VM_BROKEN_ROTOR_V];
@@ -260,9 +262,10 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
    as start. The fields damping, stiffness and s may be 0. Rounding of all inputs, t included, would change the result;
-   the error of the function is at most twice this change. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if
-   an argument or the result is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the inertia of the rotor
-   is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
+   the error of the function is at most twice this change. Only if damping slows the rotation, psi' may have an
+   additional error, of a few eps of its value in `start`. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if
+   an argument, the result or a coefficient of (69) is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the
+   inertia of the rotor is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 1, end);
@@ -271,7 +274,8 @@ VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const
 /* State of the remainder t seconds after the state `start`, by the solution (70)-(72), which lacks one term of (69).
    The dissertation [1] leaves out the term -s p^2 omega^2 y, although it is as large as the other terms. Use this
    function only to compare [1] with vm_broken_rotor_linear. Rounding of all inputs would change the result; the error
-   of the function is at most this change. The arguments and the statuses are those of vm_broken_rotor_linear. */
+   of the function is at most three times this change. The arguments and the statuses are those of
+   vm_broken_rotor_linear. */
 VM_API int vm_broken_rotor_linear_uncoupled(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
     return vmi_broken_rotor_linearised(rotor, t, start, 0, end);

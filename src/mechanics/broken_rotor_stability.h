@@ -4,7 +4,7 @@
    circle, as in the equations (76), (77) of the dissertation [1]. This chapter computes
      - the radius of this circle,
      - the characteristic polynomial (81) of small deviations from the steady motion, its roots, and the first column of
-     Routh's scheme,
+       Routh's scheme,
      - the stability (82): the steady motion is stable only below resonance, where |Omega| < omega,
      - the radius of the growing orbit of a rotor that starts from rest, if its torque drives it at or above resonance.
    In the formulas, omega^2 = stiffness/mass, p^2 = mass/inertia, k* = damping/inertia, and s is the field s of the
@@ -30,21 +30,23 @@
 #include "../base/words.h"
 #include "broken_rotor.h"
 
-/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. The function computes it with
-   twice the digits, so that the sign is right even if the rotor turns very close to resonance. */
+/* The detuning from resonance, (omega^2 - Omega^2) mass, where omega^2 = stiffness/mass. The function computes it in
+   three words (as a sum of three vm_reals), because close to resonance the two terms cancel. */
 VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega)
 {
-    const vm_two load = vmi_two_times(vmi_two_product(r->mass, Omega), vmi_two(-Omega, 0));
-    const vm_two left = vmi_two_plus(vmi_two(r->stiffness, 0), load);
-    return left.hi + left.lo;
+    const vm_two momentum = vmi_two_product(r->mass, Omega);
+    const vmi_three load =
+        vmi_three_times(vmi_three_words(momentum.hi, momentum.lo, 0), vmi_three_words(-Omega, 0, 0));
+    const vmi_three left = vmi_three_plus(vmi_three_words(r->stiffness, 0, 0), load);
+    return left.hi + (left.mid + left.lo);
 }
 
 /* Radius of the mass centre's circle in steady motion at psi' = Omega, m: s omega^2/(omega^2 - Omega^2), (76), (77).
    Omega is in rad/s. The motion is steady only if torque = damping Omega (47). For Omega^2 < omega^2 the radius is
    positive and the direction of the mass centre is phi = psi + pi, as in (77). For Omega^2 > omega^2 the radius is
    negative and phi = psi, as in (76). The relative error is within 3 eps, even very close to resonance. Returns
-   infinity at resonance (NaN for s = 0), and NaN for a null pointer or for a rotor with a value that vm_broken_rotor
-   does not allow. */
+   infinity at resonance (NaN for s = 0 or stiffness = 0), and NaN for a null pointer or for a rotor with a value that
+   vm_broken_rotor does not allow. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
     vm_real detuning, share;
@@ -252,8 +254,9 @@ VM_API vm_real vmi_broken_rotor_growth_root(vm_real tau)
    Terms of order s^2/r and the time until psi' reaches omega are neglected. The resulting error is small: for the
    rotor of Fig. 18 (s = 0.5 m, omega = 1 rad/s), after 400 s, the radius r differs by less than 0.002 m from the
    radius of the numerically integrated motion for Omega = 1, 1.01 and 1.1 rad/s.
-   Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor. The solution of
-   R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with x = A R/B. */
+   Returns NaN below resonance, for t < 0, damping < 0, omega = 0, a null pointer and an invalid rotor, and where mass
+   Omega^2 overflows. The solution of R R' = A + B/R, with constants A and B, is t A^3/B^2 = ln(1 + x) - x + x^2/2 with
+   x = A R/B. */
 VM_API vm_real vm_broken_rotor_resonance_radius(const vm_broken_rotor *rotor, vm_real t, vm_real Omega)
 {
     vm_real over, w, A, B, R, z;

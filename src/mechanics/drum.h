@@ -105,8 +105,8 @@ typedef struct VM_TAG(vmi_drum_mass) {
 
 /* Sets *m for the angle phi of the drum. The argument s is sin(phi/2), or 0 to neglect the distance from the axle to
    the mass centre. Returns VM_NOT_FINITE if M or J is infinite or NaN; VM_BAD_MASS if M or the mass of the empty drum
-   is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_BAD_INERTIA if J - steiner is not positive; else
-   VM_OK. */
+   is not positive, or if the field `band` is negative; VM_BAD_STIFFNESS if the stiffness is negative; VM_BAD_INERTIA if
+   J - steiner is not positive; else VM_OK. */
 VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_mass *m)
 {
     const vm_real q = 2 * d->band * d->radius * s;
@@ -114,7 +114,7 @@ VM_API int vmi_drum_mass_at(const vm_drum *d, vm_real phi, vm_real s, vmi_drum_m
     m->J = d->inertia + d->band * d->radius * d->radius * phi;
     m->steiner = q / m->M * q; /* in this order, because q * q could underflow */
     if (!VM_IS_FINITE(m->M) || !VM_IS_FINITE(m->J)) return VM_NOT_FINITE;
-    if (!(d->mass > 0) || !(m->M > 0)) return VM_BAD_MASS;
+    if (!(d->mass > 0) || d->band < 0 || !(m->M > 0)) return VM_BAD_MASS;
     if (d->stiffness < 0) return VM_BAD_STIFFNESS;
     if (!(m->J - m->steiner > 0)) return VM_BAD_INERTIA;
     return VM_OK;
@@ -272,8 +272,9 @@ VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 /* Right-hand side of the equations of the shaft's vibration as a function of the angle phi, (210), (211).
    Its type is ode_rhs. The state y has VM_DRUM_ANGLE_STATES numbers. `drum` must point to a vm_drum. The independent
    variable is the angle phi instead of time. The angular velocity phi' is taken from the drum on a rigid shaft (196).
-   Returns VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi, if phi or the
-   field `band` is negative, or if `inertia` or `omega` is not positive; else a status of vm_drum_rhs. */
+   The unbalance of the band is left out, as in [1]; vm_drum_unbalance computes the deflection that it causes. Returns
+   VM_BAD_ARGUMENT for a null pointer; VM_DOMAIN if the drum comes to rest before it reaches phi, if phi is negative, or
+   if `omega` is not positive; VM_BAD_INERTIA if `inertia` is not positive; else a status of vm_drum_rhs. */
 VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void *drum)
 {
     if (!y || !dydt || !drum) return VM_BAD_ARGUMENT;
@@ -286,6 +287,7 @@ VM_API int vm_drum_rhs_angle(vm_real phi, const vm_real *y, vm_real *dydt, void 
     vmi_drum_mass m;
     int status = vmi_drum_mass_at(d, phi, 0, &m);
     if (status) return status;
+    if (!(d->inertia > 0)) return VM_BAD_INERTIA;
     if (!(rate > 0)) return VM_DOMAIN;
     acceleration = (e - j * rate) / m.J; /* derivative of phi' with respect to phi (195) */
     drag = d->band / m.M + acceleration / rate;
@@ -349,8 +351,9 @@ VM_API vm_real vm_drum_stop(const vm_drum *d)
 /* Time at which the drum on a rigid shaft reaches the angle phi >= 0, s (197).
    With x = e phi/(J0 Omega_b) and the letters explained at vm_drum_rate the time is
      t = phi/Omega_b [ln(1 + x)/x + (j phi/J0) (x - ln(1 + x))/x^2]
-   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at the angle at which the drum
-   comes to rest (vm_drum_stop), and NaN where vm_drum_rate gives NaN. */
+   for positive and negative e. The accuracy is that of vm_drum_rate. Returns infinity at exactly the angle at which the
+   drum comes to rest. vm_drum_stop rounds this angle, so that the time at its result is usually a finite number or NaN.
+   Returns NaN where vm_drum_rate gives NaN. */
 VM_API vm_real vm_drum_time(const vm_drum *d, vm_real phi)
 {
     vm_two x, y, s, sum, part = vmi_two(1, 0); /* y = ln(1 + x), s = j phi/J0, part = y/x */

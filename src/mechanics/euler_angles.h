@@ -13,21 +13,20 @@
        vm_real angles[3];
        int status = vm_euler_321_angles(q, angles); // 0.1, 0.2, 0.3
 
-   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4). Beyond 2^(p-1) quarter turns, where p is
-   the number of binary digits of vm_real, a result has no meaning, because adjacent floating-point numbers differ by 1
-   rad or more.
+   Angles are in rad. Errors are within 8 eps for angles up to 1e9 (float 1e4); those of vm_euler_313_rates are a few
+   eps of |omega|/|sin(theta)|. Beyond 2^(p-1) quarter turns, where p is the number of binary digits of vm_real, a
+   result has no meaning, because adjacent floating-point numbers differ by 1 rad or more.
    Tests: tests/test_attitude.c, tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_EULER_ANGLES_H
 #define VARMASS_MECHANICS_EULER_ANGLES_H
 
-#include "../base/bits.h"
 #include "../base/elementary.h"
 #include "../base/hypot.h"
+#include "../base/power_of_two.h"
 #include "../base/real.h"
 #include "../base/status.h"
 #include "../base/sums.h"
 #include "../base/words.h"
-#include "attitude.h"
 #include "vectors.h"
 
 /* Computes the attitude of a body from Euler's angles psi, theta, phi (sequence 3-1-3). The result is a quaternion of

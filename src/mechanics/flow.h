@@ -62,7 +62,7 @@
 /* Indices of the states in y, and numbers of states. Vectors are along inertial axes unless body axes are named. */
 enum {
     VM_Y_R = 0,        /* position of the mass centre, 3 numbers, m */
-    VM_Y_Q = 3,        /* attitude, 4 numbers w, x, y, z */
+    VM_Y_Q = 3,        /* attitude, 4 numbers w, x, y, z; its length should be 1 (vm_flow_start sets it), and not 0 */
     VM_Y_P = 7,        /* momentum, 3 numbers, kg m/s; for vm_flow_carried_rhs the velocity v, m/s */
     VM_Y_H = 10,       /* angular momentum about the mass centre, 3 numbers, kg m^2/s; for vm_flow_carried_rhs the
                           angular velocity in body axes, rad/s */
@@ -103,7 +103,7 @@ typedef struct VM_TAG(vm_flow) {
     /* VM_OK, or the reason why the last evaluations gave NaN or ended the run. A trial step of the integrator may go
        beyond the end of a motion, where the mass is not positive or no body can have the inertia. The derivatives are
        then NaN, so that the integrator shortens its step. An event should stop the run before the mass or the inertia
-       becomes impossible. */
+       becomes impossible. If `update` ends the run, this field does not change. */
     int status;
     /* Length of the array y, VM_LENGTH(y), which the right-hand sides, vm_flow_start and vm_flow_body check (the two
        event functions do not); 0 means unknown. vm_flow_start writes VM_FLOW_GIVEN_STATES or VM_FLOW_STATES numbers, as
@@ -291,8 +291,8 @@ VM_API int vm_flow_balanced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
    `update` must set mass, inertia and drift for the time t. The states are r, q, the velocity v (not the momentum) and
    omega in body axes (not the angular momentum). The function does not use the streams of the flow. The equations are
      v' = F/M + R (omega x c'), r' = v + R c', I omega' + omega x I omega = M_S.
-   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S is in body axes. The
-   statuses are those of vm_flow_rhs. */
+   The letters are explained at the top of mechanics/flow.h; here c' is flow.drift, and M_S stands for R^T M_S, the
+   components of flow.moment along body axes. The statuses are those of vm_flow_rhs; the streams are not checked. */
 VM_API int vm_flow_carried_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
     if (!y || !dydt || !ctx) return VM_BAD_ARGUMENT;

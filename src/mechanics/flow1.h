@@ -84,11 +84,11 @@ VM_INLINE int vmi_translation_rates(vm_flow *flow, const vm_real *y, vm_real *dy
     const vm_vec3 v = vm_scale(1 / mass, vmi_get3(y + VM_TRANSLATION_P));
     vm_real rate = 0;
     vm_vec3 force = flow->force;
-    int k, status = VM_OK;
+    int k;
     if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
     if (flow->y_size && flow->y_size < VM_TRANSLATION_STATES) return flow->status = VM_SHORT_ARRAY;
-    if (!(mass > 0)) status = VM_BAD_MASS;
-    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_TRANSLATION_STATES, dydt);
+    if (vmi_flow_note_status(&flow->status, vmi_flow_check_mass(mass)))
+        return vmi_flow_reject_step(VM_TRANSLATION_STATES, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream *s = flow->streams + k;
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;
@@ -133,10 +133,10 @@ VM_INLINE int vmi_flow1_rates(vm_flow1 *flow, const vm_real *y, vm_real *dydt)
 {
     const vm_real v = y[VM_FLOW1_P] / y[VM_FLOW1_MASS];
     vm_real force = flow->force, rate = 0;
-    int k, status = VM_OK;
+    int k;
     if (!vmi_flow_has_streams(flow->n, flow->streams)) return flow->status = VM_BAD_ARGUMENT;
-    if (!(y[VM_FLOW1_MASS] > 0)) status = VM_BAD_MASS;
-    if (vmi_flow_note_status(&flow->status, status)) return vmi_flow_reject_step(VM_FLOW1_STATES, dydt);
+    if (vmi_flow_note_status(&flow->status, vmi_flow_check_mass(y[VM_FLOW1_MASS])))
+        return vmi_flow_reject_step(VM_FLOW1_STATES, dydt);
     for (k = 0; k < flow->n; k++) {
         const vm_stream1 *s = flow->streams + k;
         if (!vmi_stream_motion_is_known(s->motion)) return flow->status = VM_BAD_ARGUMENT;

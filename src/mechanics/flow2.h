@@ -152,10 +152,12 @@ VM_INLINE void vmi_stream_add2(const vm_stream2 *s, const vmi_stream_seen2 *b, v
     sum->inertia += s->rate * (s->gyration + dx * dx + dy * dy);
 }
 
-/* Returns VM_OK if the mass and the inertia of the state y are positive, else VM_BAD_MASS or VM_BAD_INERTIA. */
+/* Returns VM_NOT_FINITE if the mass of the state y is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if its mass or its
+   inertia is not positive; else VM_OK. */
 VM_INLINE int vmi_flow2_check_state(const vm_real *y)
 {
-    if (!(y[VM_FLOW2_MASS] > 0)) return VM_BAD_MASS;
+    const int status = vmi_flow_check_mass(y[VM_FLOW2_MASS]);
+    if (status) return status;
     if (!(y[VM_FLOW2_INERTIA] > 0)) return VM_BAD_INERTIA;
     return VM_OK;
 }

@@ -7,7 +7,7 @@
        if (vm_inertia_is_possible(&disc)) disc = vm_parallel_axes(&disc, 4, d); // 4 kg, now about a point 0.5 m away
 
    The other functions are internal: they turn, add and invert tensors for the chapters on jumps, streams and scenes.
-   Tests: tests/test_momenta.c, tests/test_jumps.c. */
+   Tests: tests/test_bodies.c, tests/test_jumps.c. */
 #ifndef VARMASS_MECHANICS_INERTIA_H
 #define VARMASS_MECHANICS_INERTIA_H
 
@@ -97,12 +97,14 @@ VM_API vm_real vmi_inertia_trace(const vm_inertia *i) { return VM_FABS(i->xx) + 
 VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON * vmi_inertia_trace(i); }
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
-   (trace tr, unit matrix E) has no negative eigenvalue. The function adds `slack` to the trace, so that rounding
-   errors do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. */
+   (trace tr, unit matrix E) has no negative eigenvalue. The function adds `slack` to the trace, so that rounding errors
+   do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. If the trace
+   overflows, it returns 0. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
     vm_real x, y, z, yz; /* x, y, z: the pivots; yz: minus the matrix entry yz after the first elimination */
+    if (!VM_IS_FINITE(half)) return 0;
     if (half == 0) return i->xx == 0 && i->yy == 0 && i->xy == 0 && i->xz == 0 && i->yz == 0;
     x = half - i->xx;
     if (!(x > 0)) return 0;
@@ -113,9 +115,10 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also for NaN and for a
-   null pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
-   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
+/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also if the trace
+   overflows, for NaN and for a null pointer. The principal moments of a body are not negative, and none is larger than
+   the sum of the other two. A violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods
+   and points count as bodies, but those whose trace is below VM_MIN/(32 eps), and not 0, may be refused. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));

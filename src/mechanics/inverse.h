@@ -88,9 +88,10 @@ VM_API int vmi_turn_part(const vmi_frame *frame, const vmi_lump *rest, vm_vec3 r
        and 8).
      - If *rest_omega_or_NULL is the angular velocity of the whole, the rest turns as the whole did (Table 3, case 7).
 
-   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. In
-   this case the part cannot have this angular momentum, and *moving brings the rest as close to the wanted motion as
-   possible. The other statuses are those of vm_separate. */
+   Returns VM_NULL_AXIS (> 0) if the part would need angular momentum about an axis with zero moment of inertia. In this
+   case *moving has the needed angular momentum about all other axes, and the rest keeps what is missing. If the rest
+   has no inertia about an axis (a rod or a point), no part can turn it about this axis: its spin about the axis remains
+   that of the whole, and the status does not tell this. The other statuses are those of vm_separate. */
 VM_API int vm_separation_for_rest(const vm_body *whole, const vm_body *part, const vm_impulse *external_or_NULL,
                                   const vm_vec3 *rest_v_or_NULL, const vm_vec3 *rest_omega_or_NULL, vm_body *moving)
 {
@@ -198,7 +199,8 @@ VM_API int vm_separation_for_rest2(const vm_body2 *whole, const vm_body2 *part, 
    be the mass centres of whole and part, and v_r the velocity of *moving relative to the turning whole. Only the
    component of v_r across the line SS2 turns the rest, so the function makes v_r orthogonal to SS2. If rest_omega is
    the angular velocity of the whole, this is case 7 of Table 3 in the dissertation, corrected. Returns VM_SINGULAR if S
-   and S2 are one point, because then no velocity turns the rest. The other statuses are those of vm_separate2. */
+   and S2 are one point, because then no velocity turns the rest. If the rest is a point, its angular velocity remains
+   that of the whole. The other statuses are those of vm_separate2. */
 VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, const vm_impulse2 *external_or_NULL,
                                    vm_real rest_omega, vm_body2 *moving)
 {
@@ -224,7 +226,7 @@ VM_API int vm_separation_for_spin2(const vm_body2 *whole, const vm_body2 *part, 
        part and rest are set. The velocity v_r = c k x SS2 of the part must supply it: m M/M1 SS2 x v_r = h k. M, m and
        M1 are the masses of whole, part and rest; k is the unit vector along z. */
     h = rest.h.z - b.inertia * (b.omega - whole->omega) - rest.inertia.zz * (rest_omega - whole->omega);
-    c = h * rest.mass / (b.mass * whole->mass * (dx * dx + dy * dy));
+    c = h / b.mass * (rest.mass / whole->mass) / (dx * dx + dy * dy); /* products of masses may overflow */
     b.vx -= c * dy;
     b.vy += c * dx;
     if (vmi_check_body2(&b)) return VM_NOT_FINITE;

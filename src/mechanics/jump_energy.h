@@ -46,7 +46,9 @@ VM_API vm_real vmi_impulse_work(const vm_body *body_or_NULL, const vm_impulse *e
    (118). It is computed as the kinetic energy of parts and rest relative to the whole, plus the work of the external
    impulse on the whole (0 without an impulse). Without rounding errors this sum equals the difference of the energies.
    The difference itself would lose digits at high speed. `whole` is the body before the separation; `parts` and `rest`
-   are the bodies after it. Returns NaN for a null pointer or n < 0. */
+   are the bodies after it; they are not checked. After VM_NULL_AXIS the true difference is smaller by omega.h, where
+   omega is the angular velocity of the whole and h the angular momentum that was lost. Returns NaN for a null pointer
+   or n < 0. */
 VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts, const vm_impulse *external_or_NULL,
                               const vm_body *rest)
 {
@@ -55,7 +57,8 @@ VM_API vm_real vm_energy_gain(const vm_body *whole, int n, const vm_body *parts,
 
 /* Energy lost at an attachment, J: the kinetic energy of `body` and of the n bodies `added` minus that of the whole
    (Carnot's loss). It is computed as the kinetic energy of these bodies relative to the whole, minus the work of the
-   impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it. Returns
+   impulse on the whole. `body` and `added` are the bodies before the attachment; `whole` is the body after it; they are
+   not checked. After VM_NULL_AXIS the result does not contain the energy of the angular momentum that was lost. Returns
    NaN for a null pointer or n < 0. */
 VM_API vm_real vm_energy_loss(const vm_body *body, int n, const vm_body *added, const vm_impulse *external_or_NULL,
                               const vm_body *whole)

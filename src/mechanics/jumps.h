@@ -255,10 +255,11 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    impulse, and the same holds for angular momentum. The pointer rest may be equal to whole or to part.
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
-   The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole
-   are added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are
-   at a distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the
-   rest that is below this error becomes 0; this changes the rest's angular momentum by up to the error times omega.
+   The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole are
+   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
+   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the rest
+   that is below this error becomes 0, and one that exceeds the sum of the other two by less than this error becomes
+   this sum. Both change the rest's angular momentum by up to the error times omega.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
    axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about

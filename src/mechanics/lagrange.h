@@ -46,7 +46,8 @@
    Accuracy: A and b are computed as differences of values of T, so that they have no errors except rounding errors.
    dT/dq is a central difference of order 6 (its error is proportional to the sixth power of the step). The field
    `scales` must contain, for each coordinate, the change of the coordinate that changes T noticeably. The error of
-   dT/dq is then below 2e-13 (float 1e-5) of the largest T. Tests: tests/test_lagrange.c. */
+   dT/dq is then below 2e-13 (float 1e-5) of the largest T, divided by the scale of the coordinate. Tests:
+   tests/test_lagrange.c. */
 #ifndef VARMASS_MECHANICS_LAGRANGE_H
 #define VARMASS_MECHANICS_LAGRANGE_H
 
@@ -79,7 +80,8 @@ typedef struct VM_TAG(vm_lagrange_system) {
 typedef struct VM_TAG(vmi_lagrange_parts) {
     vm_real *A;      /* the mass matrix A in T = q'Aq'/2 + b q' + T0, n rows of n numbers */
     vm_real *b;      /* the vector b in T, the coefficients of the terms that are linear in the rates q', n numbers */
-    vm_real *rates;  /* first pi - b with the generalized momenta pi, later the rates q', n numbers */
+    vm_real *rates;  /* first pi - b with the generalized momenta pi, later the rates q'; in inverse dynamics displaced
+                        coordinates; n numbers */
     vm_real *trial;  /* rates or coordinates at which T is evaluated, n numbers */
     vm_real *forces; /* generalized forces of inverse dynamics, n numbers */
     vm_real *masses; /* the masses, which stay constant while T is differentiated, n_masses numbers */
@@ -113,18 +115,20 @@ VM_API vm_real vmi_lagrange_energy(const vm_lagrange_system *system, vm_real t, 
 
 /* Computes the mass matrix A and the vector b from values of T. For the entry A_ij off the diagonal, T is evaluated at
    the rates +-1/sqrt(A_ii) of coordinate i and +-1/sqrt(A_jj) of coordinate j. The kinetic energies of the two rates
-   are then equal. If one of the two energies were much smaller, its digits would be lost in the sum. */
-VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
+   are then equal. If one of the two energies were much smaller, its digits would be lost in the sum. Returns
+   VM_SINGULAR if an entry of the diagonal is zero or negative, so that A is not positive definite; else VM_OK. */
+VM_API int vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, const vm_real *q)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
     const int n = system->n;
     const vm_real T0 = vmi_lagrange_energy(system, t, q, -1, 0, -1, 0);
-    int i, j;
+    int i, j, status = VM_OK;
     for (i = 0; i < n; i++) {
         const vm_real plus = vmi_lagrange_energy(system, t, q, i, 1, -1, 0);
         const vm_real minus = vmi_lagrange_energy(system, t, q, i, -1, -1, 0);
         w.A[i * n + i] = (plus - T0) + (minus - T0);
         w.b[i] = (plus - minus) / 2;
+        if (w.A[i * n + i] <= 0 && VM_IS_FINITE(w.A[i * n + i])) status = VM_SINGULAR;
     }
     for (i = 0; i < n; i++)
         for (j = 0; j < i; j++) {
@@ -135,6 +139,7 @@ VM_API void vmi_lagrange_quadratic(const vm_lagrange_system *system, vm_real t, 
                                      vmi_lagrange_energy(system, t, q, i, -x, j, z);
             w.A[i * n + j] = w.A[j * n + i] = (same - opposite) / (4 * x * z);
         }
+    return status;
 }
 
 /* Writes the masses at time t and coordinates q into the work array, where the masses stay constant while T is
@@ -145,20 +150,15 @@ VM_API void vmi_lagrange_freeze(const vm_lagrange_system *system, vm_real t, con
 }
 
 /* Writes the rates q' = A^-1 (pi - b) to the work array. y contains the coordinates q and the momenta pi. Returns
-   VM_SINGULAR if an entry A_kk on the diagonal is zero or negative, or if A is finite but not positive definite;
-   VM_NOT_FINITE if t, y or A is not finite; and VM_OK otherwise. y is checked because A and b may not depend on each
-   coordinate. */
+   VM_NOT_FINITE if t, y or A is not finite, VM_SINGULAR if A is not positive definite, and VM_OK otherwise. y is
+   checked because A and b may not depend on each coordinate. */
 VM_API int vmi_lagrange_solve_rates(const vm_lagrange_system *system, vm_real t, const vm_real *y)
 {
     const vmi_lagrange_parts w = vmi_lagrange_work(system);
     int k;
     if (!VM_IS_FINITE(t) || !vmi_all_finite(2 * system->n, y)) return VM_NOT_FINITE;
     vmi_lagrange_freeze(system, t, y);
-    vmi_lagrange_quadratic(system, t, y);
-    for (k = 0; k < system->n; k++) { /* if A_kk is not positive, the entries beside it may be NaN */
-        const vm_real own = w.A[k * system->n + k];
-        if (own <= 0 && VM_IS_FINITE(own)) return VM_SINGULAR;
-    }
+    if (vmi_lagrange_quadratic(system, t, y)) return VM_SINGULAR;
     if (!vmi_all_finite(system->n * system->n, w.A)) return VM_NOT_FINITE;
     for (k = 0; k < system->n; k++) w.rates[k] = y[system->n + k] - w.b[k];
     return vmi_solve_mass(system->n, w.A, w.rates, w.trial);
@@ -199,10 +199,11 @@ VM_API int vmi_lagrange_is_valid(const vm_lagrange_system *system)
 /* Right-hand side of Lagrange's equations with variable mass (247). Its type is ode_rhs, so that integrators such as
    rk45 can call it. The state y has 2 n numbers: n coordinates q, then n generalized momenta pi. `lagrange` must point
    to a vm_lagrange_system. Returns 0 or an error that ends the run. The errors are VM_BAD_ARGUMENT for a null pointer
-   or an invalid system; VM_SINGULAR if the mass matrix is not positive definite; VM_NOT_FINITE if t, y or an energy is
-   infinite or NaN; or the number that system->forces returns. The mass matrix is not positive definite if, for example,
-   a mass has become negative; use an event to stop the run before that. The number of calls of system->energy grows
-   with n^2. */
+   or an invalid system; VM_SINGULAR if the mass matrix is not positive definite; VM_NOT_FINITE if t, y or the mass
+   matrix is infinite or NaN; or the number that system->forces returns (dydt is then overwritten). If only T at a
+   neighbouring coordinate or a force is infinite or NaN, numbers of dydt are so, too. The mass matrix is not positive
+   definite if, for example, a mass has become negative; use an event to stop the run before that. The number of calls
+   of system->energy grows with n^2. */
 VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lagrange)
 {
     const vm_lagrange_system *system = (const vm_lagrange_system *)lagrange;
@@ -224,7 +225,8 @@ VM_API int vm_lagrange_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *lag
 
 /* Initial state y of a system at time t, from its n coordinates q and n rates q'.
    y is an array of 2 n numbers: the n coordinates q followed by the n generalized momenta pi. Returns VM_BAD_ARGUMENT
-   for a null pointer or an invalid system; VM_NOT_FINITE if a number of q or pi is infinite or NaN; VM_OK otherwise. */
+   for a null pointer or an invalid system; VM_NOT_FINITE if a number of q, q' or pi is infinite or NaN; VM_SINGULAR if
+   T does not grow with each of the rates; VM_OK otherwise. */
 VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_real *q, const vm_real *rates, vm_real *y)
 {
     vmi_lagrange_parts w;
@@ -232,11 +234,12 @@ VM_API int vm_lagrange_start(vm_lagrange_system *system, vm_real t, const vm_rea
     if (!vmi_lagrange_is_valid(system) || !q || !rates || !y) return VM_BAD_ARGUMENT;
     n = system->n;
     w = vmi_lagrange_work(system);
+    if (!vmi_all_finite(n, q) || !vmi_all_finite(n, rates)) return VM_NOT_FINITE;
     vmi_lagrange_freeze(system, t, q);
-    vmi_lagrange_quadratic(system, t, q);
+    if (vmi_lagrange_quadratic(system, t, q)) return VM_SINGULAR;
     for (i = 0; i < n; i++)
         for (j = 0; j < n; j++) w.b[i] += w.A[i * n + j] * rates[j];
-    if (!vmi_all_finite(n, w.b) || !vmi_all_finite(n, q)) return VM_NOT_FINITE;
+    if (!vmi_all_finite(n, w.b)) return VM_NOT_FINITE;
     for (i = 0; i < n; i++) {
         y[i] = q[i];
         y[n + i] = w.b[i];
@@ -343,9 +346,8 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
     for (i = 0; i < n; i++) w.forces[i] = 0;
     vmi_lagrange_add_momentum_rates(system, t, time_scale, q, rates, w.forces);
     vmi_lagrange_freeze(system, t, q);
-    vmi_lagrange_quadratic(system, t, q);
+    if (vmi_lagrange_quadratic(system, t, q)) return VM_SINGULAR;
     for (i = 0; i < n; i++) {
-        if (w.A[i * n + i] <= 0) return VM_SINGULAR;
         for (j = 0; j < n; j++) w.forces[i] += w.A[i * n + j] * accelerations[j];
         w.forces[i] -= vmi_lagrange_derivative(system, t, q, rates, i);
     }
@@ -361,7 +363,7 @@ VM_API int vmi_lagrange_inverse(const vm_lagrange_system *system, vm_real t, vm_
    argument or the result is infinite or NaN; VM_DOMAIN for time_scale < 0; VM_SINGULAR if T does not grow with each of
    the rates; VM_OK otherwise. The error is below 2e-13 (float 1e-5) of the largest of three terms: the mass matrix A
    times q'', T divided by the scale of a coordinate, and dT/dq' divided by the time in which the system changes
-   noticeably. T is evaluated 14 n^2 + 6 n + 7 times. */
+   noticeably. T is evaluated at most 14 n^2 + 6 n + 7 times. */
 VM_API int vm_lagrange_needed_forces(vm_lagrange_system *system, vm_real t, vm_real time_scale, const vm_real *q,
                                      const vm_real *rates, const vm_real *accelerations, vm_real *Q)
 {

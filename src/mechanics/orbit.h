@@ -37,7 +37,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "vectors.h"
 
@@ -149,13 +148,15 @@ VM_API vmi_kepler_point vmi_kepler_solve(const vmi_kepler *o, vm_real t)
 }
 
 /* Returns the time t minus a whole number of periods if the orbit is an ellipse (beta > 0), else t. The result for an
-   ellipse is at most half a period before or after 0. */
+   ellipse is at most about one period before or after 0. It is 0 if |t| is above period/eps, because the digits of t
+   then do not tell where on the ellipse the body is. */
 VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
 {
     vm_real period;
     if (!(beta > 0)) return t;
     period = 2 * VM_PI / (beta * VM_SQRT(beta));
     if (!(VM_FABS(t) > period / 2 && period > 0)) return t;
+    if (VM_FABS(t) > period / VM_EPSILON) return 0;
     return t - period * VM_FLOOR(t / period + VM_C(0.5));
 }
 
@@ -166,9 +167,9 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
    back at the centre. Errors of a few eps in t, r0, v0 and mu would change the result; the error of the function is as
    large as this change, and grows with the number of revolutions. There is one exception: if v0 points towards the
    centre, apart from a small angle of phi rad, the error after the passage of the centre can be 10/phi times as large.
-   A call takes about as long as 50 calls of sin. Returns
-   VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_DOMAIN for mu
-   <= 0 or r0 = 0; VM_OK otherwise. */
+   A call takes about as long as 50 calls of sin. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   argument or the result is infinite or NaN, or if |r0| |v0|^2/mu overflows; VM_DOMAIN for mu <= 0 or r0 = 0; VM_OK
+   otherwise. */
 VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_real distance0, speed, unit, time, sign = 1;

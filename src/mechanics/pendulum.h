@@ -94,9 +94,10 @@ VM_API int vmi_pendulum_cut_finite(const vm_pendulum_cut *c)
    `across` be the component of (ux, uy) that is orthogonal to the rod, positive in the direction in which phi grows.
    The angular velocities phi' of the rod before the cut and phi1' of the remaining rod after the cut obey
      phi1' = phi' - l/(L - l)^3 (l^2 Omega/4 + 3 rho across).
-   This formula is the corrected form of (125) and (132), rearranged so that no digits cancel. Returns VM_BAD_ARGUMENT
-   for a null pointer and for an unknown value of the field `axes`; VM_NOT_FINITE if an argument or the result is
-   infinite or NaN; VM_BAD_MASS if the mass is not positive; VM_DOMAIN if l is not between 0 and L; VM_OK otherwise. */
+   This formula is the corrected form of (125) and (132), rearranged so that digits cancel only if Omega and `across`
+   have opposite signs. Returns VM_BAD_ARGUMENT for a null pointer and for an unknown value of the field `axes`;
+   VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_BAD_MASS if the mass is not positive; VM_DOMAIN if
+   l is not between 0 and L; VM_OK otherwise. */
 VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_real Omega, vm_real ux, vm_real uy,
                                 vm_pendulum_cut *cut)
 {
@@ -183,8 +184,8 @@ VM_API int vmi_check_compound(const vm_compound_pendulum *p, const vm_compound_p
 }
 
 /* Computes mass, mass centre and inertia of what remains of a compound pendulum. Returns VM_NOT_FINITE if a result is
-   infinite or NaN; VM_BAD_INERTIA if no body can have the resulting inertia about O, because the part cannot have been
-   in the pendulum; else VM_OK. */
+   infinite or NaN; VM_BAD_INERTIA if the resulting inertia about O is 0, or is one that no body can have, because the
+   part cannot have been in the pendulum; else VM_OK. */
 VM_API int vmi_compound_rest(const vm_compound_pendulum *p, const vm_compound_part *part, vm_compound_pendulum *rest)
 {
     const vm_real share = part->mass / (p->mass - part->mass);
@@ -216,9 +217,10 @@ VM_API int vmi_compound_cut_finite(const vm_compound_cut *c)
    the pendulum changes by
      phi1' - phi' = -(I2 Omega + m (r2 x u))/I1.
    In this form digits cancel only in I1, the difference of the moments of inertia of the whole pendulum and of the part
-   about O. For axles in space see vm_separate_on_axle. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
-   argument or the result is infinite or NaN; VM_BAD_MASS if a mass, that of the rest included, is not positive;
-   VM_BAD_INERTIA if an inertia, that of the rest included, is one that no body can have; VM_OK otherwise. */
+   about O, and where the terms of the numerator have opposite signs. For axles in space see vm_separate_on_axle.
+   Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if a mass, that of the rest included, is not positive; VM_BAD_INERTIA if an inertia, that of the rest
+   included, is one that no body can have, or if that of the rest is 0; VM_OK otherwise. */
 VM_API int vm_compound_pendulum_separate(const vm_compound_pendulum *pendulum, const vm_compound_part *part,
                                          vm_compound_cut *cut)
 {

@@ -54,7 +54,8 @@ VM_API vm_real vm_velocity_by_momentum(vm_real v0, vm_real m0, vm_real m, vm_rea
 {
     if (!vmi_masses_are_good(m0, m)) return VM_NAN;
     if (!VM_IS_FINITE(v0) || !VM_IS_FINITE(u) || !VM_IS_FINITE(impulse)) return VM_NAN;
-    return v0 * (m0 / m) + ((m - m0) * u + impulse) / m;
+    if (m < m0) return v0 + ((m0 - m) * (v0 - u) + impulse) / m; /* v0 m0/m and u (m - m0)/m may nearly cancel */
+    return v0 * (m0 / m) + (u * ((m - m0) / m) + impulse / m);
 }
 
 /* Velocity of Tsiolkovsky's rocket after its mass changes from m0 to m: v0 + w ln(m/m0), (175), (176).
@@ -157,6 +158,7 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
     share = vmi_exp(exponent * first, 0);
+    if (omega0.x == 0 && omega0.y == 0) share = 0; /* where the exponential overflows, too */
     angle = omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second);
     vmi_sincos(angle, &sine, &cosine);
     later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine), share * (omega0.y * cosine + omega0.x * sine),

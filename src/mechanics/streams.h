@@ -31,10 +31,12 @@ enum {
     VM_RELATIVE = 0, /* velocity relative to the point, spin relative to the body, both in body axes */
     VM_ABSOLUTE = 1, /* absolute velocity and spin, in inertial axes */
     VM_CARRIED = 2,  /* the mass has the velocity of the point and the spin of the body; the fields velocity and spin of
-                        the stream are not read. If the stream has no store, its reactive moment and its reactive torque
-                        cancel. Its reactive force is M' omega x d, which (166) of [1] neglects. M' is the rate of the
-                        stream, omega the body's spin, and d the vector from the mass centre to the point. */
-    VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not read */
+                        the stream are not used, but must be finite. If the stream has no store, its reactive moment
+                        and its reactive torque cancel. Its reactive force is M' omega x d, which (166) of [1]
+                        neglects. M' is the rate of the stream, omega the body's spin, and d the vector from the mass
+                        centre to the point. */
+    VM_AT_REST = 3   /* the mass is at rest (167)-(169); the fields velocity and spin of the stream are not used, but
+                        must be finite */
 };
 
 /* A store of mass inside a body, for example a tank. A stream that leaves the body takes its mass from the store, and a
@@ -86,11 +88,11 @@ typedef struct VM_TAG(vm_reactive) {
 VM_INLINE int vmi_stream_motion_is_known(int motion) { return motion >= VM_RELATIVE && motion <= VM_AT_REST; }
 
 /* For every value of the field `motion`, the velocity u of a stream's mass is the sum of two terms. The first term is
-   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of
-   the mass is also a sum of two terms: the spin of the body, or zero, and the field `spin`, or zero.
-   vmi_stream_moves_with_body returns 1 if the first term is the velocity of the point, and
-   vmi_stream_velocity_is_given returns 1 if the second term is the field `velocity`. No other function depends on the
-   four values VM_RELATIVE ... VM_AT_REST. */
+   the velocity of the body's point, or zero; the second term is the stream's field `velocity`, or zero. The spin of the
+   mass is also a sum of two terms: the spin of the body, or zero, and the field `spin`, or zero.
+   vmi_stream_moves_with_body returns 1 if the first term is the velocity of the point, and vmi_stream_velocity_is_given
+   returns 1 if the second term is the field `velocity`. Apart from vmi_stream_motion_is_known, no other function
+   depends on the four values VM_RELATIVE ... VM_AT_REST. */
 VM_INLINE int vmi_stream_moves_with_body(int motion) { return motion == VM_RELATIVE || motion == VM_CARRIED; }
 VM_INLINE int vmi_stream_velocity_is_given(int motion) { return motion == VM_RELATIVE || motion == VM_ABSOLUTE; }
 
@@ -197,7 +199,7 @@ VM_INLINE void vmi_stream_energy(const vm_stream *s, const vmi_stream_seen *b, c
 {
     const vm_vec3 relative = vm_sub(spin, b->omega);
     vm_vec3 u = push, absolute, w;
-    if (s->rate != 0) u = vm_scale(1 / s->rate, push);
+    if (s->rate != 0) u = vmi_over(push, s->rate);
     absolute = vm_add(u, vmi_times_transposed(b->turn, b->v));
     w = vm_sub(u, carried);
     sum->brought += s->rate * vm_dot(absolute, absolute) + vm_dot(spin, vmi_inertia_times(own, spin));
@@ -331,9 +333,10 @@ VM_INLINE vm_vec3 vmi_stream_euler(const vm_inertia *i, const vmi_inertia_ldl *f
 /* Accelerations v' (159) and omega' (160) of a body under reactive and outer loads.
    All vectors are in inertial axes. `force` is the resultant of the outer forces (N), `moment` their moment about the
    mass centre (N m). *acceleration is v', the rate of momentum/mass (m/s^2), and *angular_acceleration is omega'
-   (rad/s^2). Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an argument or the result is infinite or NaN;
-   VM_BAD_MASS if the body's mass is not positive; VM_BAD_INERTIA if no body can have the inertia, and also for the
-   singular inertia of a rod or a point; VM_OK otherwise. */
+   (rad/s^2). Of *loads only the fields force, moment and torque are used. Returns VM_BAD_ARGUMENT for a null pointer;
+   VM_NOT_FINITE if a number that is used, or the result, is infinite or NaN; VM_BAD_MASS if the body's mass is not
+   positive; VM_BAD_INERTIA if no body can have the inertia, and also for the singular inertia of a rod or a point;
+   VM_OK otherwise. */
 VM_API int vm_accelerations(const vm_body *body, const vm_reactive *loads, vm_vec3 force, vm_vec3 moment,
                             vm_vec3 *acceleration, vm_vec3 *angular_acceleration)
 {

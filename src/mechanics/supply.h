@@ -137,13 +137,13 @@ VM_API int vmi_supply_left_is_finite(const vm_supply_left *left)
 /* What is left of a tank or grain when its mass is `mass`: mass centre, inertia, their derivatives, and the store of
    the mass that leaves next.
    mass is in kg and lies between 0 and supply.full. For a mass below 0 or above supply.full the function uses the same
-   formulas. The results then describe no body, but they change smoothly with the mass. An integrator needs this,
-   because its trial steps may go beyond these limits. The errors are at most 8 eps of a scale: |at| + length for a
-   position, the largest entry for a tensor, and the length of the vector for centre_by_mass. These bounds hold for a
-   nearly empty or nearly full supply, too. Returns VM_BAD_ARGUMENT for a null pointer or an unknown kind;
-   VM_NOT_FINITE if an argument or the result is infinite or NaN; VM_BAD_MASS if supply.full is not positive; VM_DOMAIN
-   if the length or the radius is not positive, if the axis is 0, or if the bore of a grain is not between 0 and the
-   radius; VM_OK otherwise. */
+   formulas. The results then describe no body, but, apart from the bore of a grain (0 where its square would be
+   negative), they change smoothly with the mass. An integrator needs this, because its trial steps may go beyond these
+   limits. The errors are at most 8 eps of a scale: |at| + length for a position, the largest entry for a tensor, and
+   the length of the vector for centre_by_mass. These bounds hold for a nearly empty or nearly full supply, too. Returns
+   VM_BAD_ARGUMENT for a null pointer or an unknown kind; VM_NOT_FINITE if an argument or the result is infinite or NaN;
+   VM_BAD_MASS if supply.full is not positive; VM_DOMAIN if the length or the radius is not positive, if the axis is 0,
+   or if the bore of a grain is not between 0 and the radius; VM_OK otherwise. */
 VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *left)
 {
     vm_supply_left result;

@@ -28,7 +28,6 @@
 #include "../jacobi/theta.h"
 #include "../jacobi/third_kind.h"
 #include "bodies.h"
-#include "inertia.h"
 #include "torque_free_axes.h"
 #include "vectors.h"
 
@@ -468,10 +467,10 @@ VM_API int vm_torque_free_init_principal(vm_torque_free *motion, vm_vec3 moments
 /* Attitude and angular velocity of a torque-free body at the time t (s). t may be later or earlier than t0. *omega has
    the components along the body axes, rad/s. *q is continuous in t and keeps the length that the quaternion had at t0.
    If the quaternion at t0 was all zero, or if its length was within 64 eps of 1, the length of *q is 1. Returns
-   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t or the number of turns is
-   above about 1e300 (float 8e34), and VM_OK otherwise. After an error *q and *omega are unchanged. Beyond 1/eps^2 turns
-   the result is finite and has the right angular momentum, but the angle through which the body has turned has no
-   correct digits. */
+   VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if t or the result is not finite or if t, the number of turns or
+   the number of turns per second is above about 1e300 (float 8e34), and VM_OK otherwise. After an error *q and *omega
+   are unchanged. Beyond 1/eps^2 turns the result is finite and has the right angular momentum, but the angle through
+   which the body has turned has no correct digits. */
 VM_API int vm_torque_free_attitude(const vm_torque_free *motion, vm_real t, vm_quat *q, vm_vec3 *omega)
 {
     const vm_real largest_factor = VM_MAX / VM_SPLIT; /* products in two words split their factors */

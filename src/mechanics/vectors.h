@@ -66,7 +66,8 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, within 4 eps of itself. It does not overflow if only its square would overflow. */
+/* The length of the vector a, within 4 eps of itself if it is a normal number. It does not overflow if only its square
+   would overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
@@ -114,7 +115,7 @@ VM_API vm_real vmi_quat_square(vm_quat q) { return q.w * q.w + q.x * q.x + q.y *
 
 /* The product p q of two quaternions: the rotation by q followed by the rotation by p. If q turns the axes of a part
    into the axes of a body, and p turns the axes of the body into inertial axes, then p q turns the axes of the part
-   into inertial axes. */
+   into inertial axes. Here four zeros do not stand for coinciding axes: their product with any q is four zeros. */
 VM_API vm_quat vm_quat_times(vm_quat p, vm_quat q)
 {
     vm_quat r;

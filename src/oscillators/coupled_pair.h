@@ -85,8 +85,8 @@ VM_API int vmi_coupled_now(const vm_coupled_pair *p, vm_real t, vmi_pair_masses 
    vm_coupled_pair. Returns VM_BAD_ARGUMENT for null pointers, for a negative number of connections, and for a mass law
    that no constructor made; VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked); VM_BAD_MASS for
    a mass that is not positive; VM_BAD_STIFFNESS for a stiffness that is not positive; VM_DOMAIN for an exponent < 0 and
-   for t outside a table. If the function `force` returns a number other than 0, returns this number. These statuses
-   stop the run. */
+   for a t at which a law has no value. If the function `force` returns a number other than 0, returns this number.
+   These statuses stop the run. */
 VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -107,7 +107,8 @@ VM_API int vm_coupled_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void 
 /* Converts a motion y = (x, y, x', y') of two bodies to the modes (p, p', X, V), m and m/s.
    p = y - x is the relative coordinate and X = (m1 x + m2 y)/(m1 + m2) the mass centre. V = (m1 x' + m2 y')/(m1 + m2)
    is the velocity of the mass centre, for the masses at time t. Returns VM_BAD_ARGUMENT for null pointers, otherwise
-   the statuses of vm_coupled_pair_rhs. modes and y may be the same array. */
+   the statuses of vm_coupled_pair_rhs; VM_NOT_FINITE also means that a number of y is infinite or NaN. modes and y may
+   be the same array. */
 VM_API int vm_coupled_pair_to_modes(const vm_coupled_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;
@@ -125,7 +126,8 @@ VM_API int vm_coupled_pair_to_modes(const vm_coupled_pair *p, vm_real t, const v
 }
 
 /* Converts the modes (p, p', X, V) of two bodies to the motion y = (x, y, x', y').
-   This is the inverse of vm_coupled_pair_to_modes, with its statuses. y and modes may be the same array. */
+   This is the inverse of vm_coupled_pair_to_modes, with its statuses, for `modes` in place of y. y and modes may be the
+   same array. */
 VM_API int vm_coupled_pair_from_modes(const vm_coupled_pair *p, vm_real t, const vm_real *modes, vm_real *y)
 {
     if (!p || !modes || !y) return VM_BAD_ARGUMENT;
@@ -177,22 +179,27 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
    functions of oscillators/routes.h compute its motion. y0 = (x, y, x', y') is the motion at t = 0; pair must outlive
    *problem. The equation of the oscillator is exact. The small force -mu (m2'/m2 - m1'/m1) V also acts on the
    oscillator if `reactive` is 1, the mass centre moves, and m1'/m1 differs from m2'/m2. mu is the reduced mass, V the
-   velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0. Returns VM_NO_LAW where there is
-   not exactly one connection, where there are further forces, and where `reactive` is neither 0 nor 1, because then the
-   motion of the mass centre depends on the vibration. In these three cases integrate vm_coupled_pair_rhs. An error
-   leaves *pair and *problem as they were. */
+   velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0; VM_NOT_FINITE also means that a
+   number of y0 is infinite or NaN. Returns VM_NO_LAW where there is not exactly one connection, where there are further
+   forces, and where `reactive` is neither 0 nor 1, because then the motion of the mass centre depends on the vibration.
+   In these three cases integrate vm_coupled_pair_rhs. An error leaves *pair and *problem as they were. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
     vmi_pair_masses now;
     vm_osc_problem o;
     vm_real momentum;
-    int status = vmi_coupled_now(pair, 0, &now);
+    int i, status = vmi_coupled_now(pair, 0, &now);
     if (status != VM_BAD_ARGUMENT && !vmi_all_finite(4, y0)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (status) return status;
     if (pair->n != 1 || pair->force || (pair->reactive != 0 && pair->reactive != 1)) return VM_NO_LAW;
     o.alpha = pair->connections[0].alpha;
     o.mass = vm_law_user(vmi_coupled_reduced_mass, pair);
+    for (i = 0; i < 2; i++) { /* the reduced mass changes as fast as the faster of the two masses */
+        const vm_real change_time = pair->mass[i].function ? pair->mass[i].change_time : 0;
+        if (change_time > 0 && !(o.mass.change_time > 0 && o.mass.change_time < change_time))
+            o.mass.change_time = change_time;
+    }
     o.stiffness = vm_law_linear(pair->connections[0].k, 0);
     o.reactive = pair->reactive;
     o.damping = pair->damping;

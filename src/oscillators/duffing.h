@@ -18,7 +18,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "../base/sums.h"
 #include "../base/words.h"
@@ -315,7 +314,8 @@ VM_API vm_odd_force vm_duffing_force(vm_real k1, vm_real k3)
 /* Duffing's force k1(t) x + k3(t) x^3 whose coefficients follow laws of their own: laws[0] is k1, N/m, and laws[1] is
    k3, N/m^3. k1 and k3 may have either sign; the two laws must outlive the force. The force is for a vm_odd_problem
    (oscillators/odd_motion.h), whose field `stiffness`, a factor, multiplies k1 and k3. The functions for constant mass
-   refuse this force with VM_NO_LAW. If `laws` is null, all functions refuse the force with VM_BAD_ARGUMENT. */
+   refuse this force with VM_NO_LAW, except for a body at rest at x = 0. If `laws` is null, all functions refuse the
+   force with VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_duffing_force_of_laws(const struct VM_TAG(vm_law) *laws)
 {
     vm_odd_force force = vm_duffing_force(0, 0); /* vm_odd_plan_init replaces the zeros by k1 and k3 at t = 0 */
@@ -415,9 +415,9 @@ VM_API void vmi_duffing_on_separatrix(vm_real t, vm_real x0, vm_real v0, vm_real
    s/c1^2 is so small that numbers of this size lose digits, the motion is right until it comes back close to x = 0.
    Results lose digits where A^4, c1^2, (c3 A^2)^2 or the square of the largest velocity underflows, and are NaN where
    one of these numbers, lambda t or the action overflows; so choose a unit of length near A in float. NaN is also
-   written to x and v if the motion goes to infinity, which includes the border of such motions, A^2 = -c1/c3 with c1 >
-   0 and c3 < 0, and if an argument is infinite or NaN. If x or v is a null pointer, nothing is written. Equations: DLMF
-   22.19(ii). */
+   written to x and v for c1 = c3 = 0, if the motion goes to infinity, which includes the border of such motions, A^2 =
+   -c1/c3 with c1 > 0 and c3 < 0, and if an argument is infinite or NaN. If x or v is a null pointer, nothing is
+   written. Equations: DLMF 22.19(ii). */
 VM_API void vm_duffing_exact_from(vm_real t, vm_real x0, vm_real v0, vm_real c1, vm_real c3, vm_real *x, vm_real *v)
 {
     if (!x || !v) return;

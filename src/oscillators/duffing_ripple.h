@@ -20,7 +20,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../jacobi/integrals.h"
 #include "odd_force.h"
 #include "orbit_ripple.h"

@@ -160,8 +160,8 @@ VM_API void vmi_forced_motion(const vm_forced *f, const vmi_forced_parameters *n
 /* Equation of motion of an excited oscillator, for rk45 or rk87. y = (x, x', theta) is in m, m/s and rad; forced points
    to a prepared vm_forced. Returns VM_BAD_ARGUMENT for a null pointer or a law that no constructor made; VM_NOT_FINITE
    for t or a field that is infinite or NaN (y is not checked); VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a
-   stiffness that is not positive; VM_DOMAIN for alpha < 0, a frequency that is not positive or t outside a table. These
-   statuses stop the run. */
+   stiffness that is not positive; VM_DOMAIN for alpha < 0, a frequency that is not positive or a t at which a law has
+   no value. These statuses stop the run. */
 VM_API int vm_forced_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *forced)
 {
     if (!y || !dydt || !forced) return VM_BAD_ARGUMENT;
@@ -291,8 +291,8 @@ VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, v
 
 /* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude minus
    its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where alpha is
-   not 1. The statuses are those of vm_forced_rhs; VM_DOMAIN also means that the amplitude minus its ripple is not
-   positive. y and motion may be the same array. */
+   not 1. The statuses are those of vm_forced_rhs; VM_NOT_FINITE also means that a number of the motion is infinite or
+   NaN, and VM_DOMAIN that the amplitude minus its ripple is not positive. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -310,8 +310,9 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
 }
 
 /* Converts the mean y = (A, delta, theta) of an excited oscillator to the motion (x, x', theta). This is the inverse of
-   vm_forced_to_averaged: it adds the ripple to the mean amplitude. The statuses are those of vm_forced_rhs; VM_DOMAIN
-   also means that A <= 0 or that A plus its ripple is negative. motion and y may be the same array. */
+   vm_forced_to_averaged: it adds the ripple to the mean amplitude. The statuses are those of vm_forced_rhs;
+   VM_NOT_FINITE also means that a number of y is infinite or NaN, and VM_DOMAIN that A <= 0 or that A plus its ripple
+   is negative. motion and y may be the same array. */
 VM_API int vm_forced_from_averaged(const vm_forced *f, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!f || !y || !motion) return VM_BAD_ARGUMENT;

@@ -113,7 +113,7 @@ VM_API int vm_grounded_pair_init(vm_grounded_pair *p)
 
 /* Equations of motion of two weakly coupled oscillators, for rk45 or rk87. y = (x_0, x_1, x_0', x_1') is in m and m/s;
    pair points to a prepared vm_grounded_pair. The statuses are those of vm_grounded_pair_init at the time t, and
-   VM_DOMAIN for t outside a table; they stop the run. y is not checked. */
+   VM_DOMAIN for a t at which a law has no value; they stop the run. y is not checked. */
 VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -279,7 +279,8 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
 /* Converts the mean y = (A_0, phi_0, A_1, phi_1) of two weakly coupled oscillators to the motion (x_0, x_1, x_0',
    x_1'). This is the inverse of vm_grounded_pair_to_averaged: it adds the ripples to the mean amplitudes. The statuses
    are those of vm_grounded_pair_rhs; VM_NOT_FINITE also means that y is infinite or NaN, and VM_DOMAIN also means that
-   an amplitude is not positive or that an amplitude plus its ripple is negative. motion and y may be the same array. */
+   an amplitude is not positive or that an amplitude plus its ripple is negative. Both also occur where the frequencies
+   are in a resonance that the field `vibrations` does not give. motion and y may be the same array. */
 VM_API int vm_grounded_pair_from_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *y, vm_real *motion)
 {
     if (!p || !y || !motion) return VM_BAD_ARGUMENT;

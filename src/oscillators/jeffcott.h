@@ -87,8 +87,8 @@ VM_API vm_real vm_jeffcott_power(vm_real rho, vm_real *slope, void *power_force)
     return p->k * vmi_pow_checked(rho, p->alpha - 1);
 }
 
-/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in (-pi, pi]. The relative
-   error of rho is at most 2 eps, and that of phi at most 4 eps. If a pointer is null, nothing is done. */
+/* Polar coordinates (448) of the disc's centre: deflection rho = |z| and angle phi in [-pi, pi], -pi only for y = -0.
+   The relative error of rho is at most 2 eps, and that of phi at most 4 eps. If a pointer is null, nothing is done. */
 VM_API void vm_jeffcott_polar(vm_complex z, vm_real *rho, vm_real *phi)
 {
     if (!rho || !phi) return;
@@ -140,8 +140,8 @@ VM_API vm_complex vmi_jeffcott_loads(const vm_jeffcott *r, vm_real t, vm_real ra
 /* Equation of motion (449), (450) of a rotor, for rk45 or rk87.
    y = (x, y, x', y') is in m and m/s; rotor points to a vm_jeffcott. Returns VM_BAD_ARGUMENT for null pointers and for
    a rotor without mass or stiffness; VM_NOT_FINITE where t, the mass or its rate is infinite or NaN (other numbers are
-   not checked); VM_BAD_MASS for a mass that is not positive; VM_DOMAIN for t outside a table of the mass. These
-   statuses stop the run. */
+   not checked); VM_BAD_MASS for a mass that is not positive; VM_DOMAIN for a t at which the law of the mass has no
+   value. These statuses stop the run. */
 VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;
@@ -152,6 +152,7 @@ VM_API int vm_jeffcott_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rot
     const int status = vmi_jeffcott_mass_at(r, t, &mass, &rate);
     if (status) return status;
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
+    if (z.re == 0 && z.im == 0) stiffness = 0; /* the force is 0 at z = 0, where K_e may be infinite */
     force = vmi_jeffcott_loads(r, t, rate, z, v);
     dydt[0] = v.re;
     dydt[1] = v.im;
@@ -170,8 +171,8 @@ typedef struct VM_TAG(vmi_jeffcott_state) {
 
 /* Finds the rotor's mass and frequency at time t. Returns VM_BAD_STIFFNESS where small vibrations have no frequency, as
    for F_e = rho^3; VM_BAD_ARGUMENT for a rotor without mass or stiffness; VM_BAD_MASS for a mass that is not positive;
-   VM_NOT_FINITE for a number that is infinite or NaN; VM_DOMAIN for t outside a table of the mass, and where the
-   frequency underflows. */
+   VM_NOT_FINITE for a number that is infinite or NaN; VM_DOMAIN for a t at which the law of the mass has no value, and
+   where the frequency underflows. */
 VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state *now)
 {
     vm_real stiffness, slope;
@@ -194,7 +195,7 @@ VM_API int vmi_jeffcott_now(const vm_jeffcott *r, vm_real t, vmi_jeffcott_state 
    vm_jeffcott_exact_rhs and vm_jeffcott_averaged_rhs. Unlike theta1 and theta2, P and N have no singularity where A1 or
    A2 is 0. Returns VM_BAD_ARGUMENT for null pointers and for a rotor without mass or stiffness; VM_NOT_FINITE for a
    number that is infinite or NaN; VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS where K_e(0) is not
-   positive; VM_DOMAIN for t outside a table of the mass. y and motion may be the same array. */
+   positive; VM_DOMAIN for a t at which the law of the mass has no value. y and motion may be the same array. */
 VM_API int vm_jeffcott_to_averaged(const vm_jeffcott *r, vm_real t, const vm_real *motion, vm_real phi, vm_real *y)
 {
     if (!r || !motion || !y) return VM_BAD_ARGUMENT;
@@ -355,7 +356,8 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
    K_e(A). If K_e(A) > 0, forward whirl (sense >= 0) has W > 0, and backward whirl (sense < 0) has W < 0. If K_e(A) < 0,
    both W have the sign of g. A >= 0 is in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine
    epsilon), apart from the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A
-   < 0, for mass <= 0, where g^2 + m K_e(A) is negative, and for numbers that are infinite or NaN. */
+   < 0, for mass <= 0, where g^2 + m K_e(A) is negative, where g and K_e(A) are both 0, and for numbers that are
+   infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -421,9 +423,10 @@ VM_API int vmi_jeffcott_circular(vm_real t, const vm_real *y, vm_real *dydt, con
    fixed angle to z, the error of psi is at most 0.015 in the tests, up to these times. For other loads the error of psi
    is of order 1. If F_e is linear and the loads do not turn with z, the disc does not stay on a circle, and the
    equations are not valid. Returns VM_BAD_ARGUMENT for null pointers, for a rotor without mass or stiffness, and for a
-   negative field `nodes`; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass that is not
-   positive; VM_BAD_STIFFNESS if g^2 + m K_e(A) is not positive; VM_DOMAIN for t outside a table of the mass. Each call
-   evaluates the force at `nodes` phases. */
+   negative field `nodes`; VM_NOT_FINITE where t, the mass, its rate, g or the stiffness is infinite or NaN, or A is NaN
+   (other numbers are not checked); VM_BAD_MASS for a mass that is not positive; VM_BAD_STIFFNESS if g^2 + m K_e(A) is
+   not positive; VM_DOMAIN for a t at which the law of the mass has no value. Each call evaluates the force at `nodes`
+   phases. */
 VM_API int vm_jeffcott_forward_whirl_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *rotor)
 {
     if (!y || !dydt || !rotor) return VM_BAD_ARGUMENT;

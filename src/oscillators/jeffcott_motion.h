@@ -30,10 +30,8 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
-#include "../integrators/ode.h"
 #include "../integrators/rk45.h"
 #include "../integrators/rk87.h"
-#include "../integrators/runs.h"
 #include "jeffcott.h"
 #include "laws.h"
 #include "panels.h"
@@ -194,8 +192,8 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The small radial velocity is
    neglected: the velocity is i W z, where W is the frequency of the whirl. Returns VM_BAD_ARGUMENT for null pointers
    and a rotor without mass or stiffness; VM_NOT_FINITE for a number that is infinite or NaN; VM_BAD_MASS for a mass
-   that is not positive; VM_BAD_STIFFNESS where there is no circular whirl; VM_DOMAIN for a radius that is not positive
-   or t outside a table; VM_NO_LAW for a rotor with a force or a velocity u. */
+   that is not positive; VM_BAD_STIFFNESS where there is no circular whirl or K_e is NaN; VM_DOMAIN for a radius that is
+   not positive or a t at which the law of the mass has no value; VM_NO_LAW for a rotor with a force or a velocity u. */
 VM_API int vm_jeffcott_whirl_at(const vm_jeffcott *r, vm_real first_A, vm_real first_angle, int sense, vm_real t,
                                 vm_jeffcott_whirl *whirl)
 {
@@ -248,9 +246,10 @@ VM_API int vmi_jeffcott_add_whirl(const vm_jeffcott *r, vm_complex first, int se
    whirl P and a backward whirl N, which do not disturb each other: z = P + N, z' = i (W1 P + W2 N) with the frequencies
    W1 > 0 and W2 < 0 of vm_jeffcott_frequency. Each of the two whirls is computed by vm_jeffcott_whirl_at, with the
    gyroscopic constant g and any share r of the reactive force. Where P and conj(N) are equal, the rotor oscillates
-   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_NO_LAW also means that the slope dK_e/drho at
-   the deflection |z| of the start is not 0. Only this slope is tested: if the shaft is not linear but has the slope 0
-   there, for example K_e = k + c rho^2 at z = 0, the result is wrong. */
+   along a line (481). The statuses are those of vm_jeffcott_whirl_at; VM_BAD_STIFFNESS also means that K_e is not
+   positive, and VM_NO_LAW also means that the slope dK_e/drho at the deflection |z| of the start is not 0. Only this
+   slope is tested: if the shaft is not linear but has the slope 0 there, for example K_e = k + c rho^2 at z = 0, the
+   result is wrong. */
 VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_real t, vm_real *motion)
 {
     vm_real mass0 = 0, mass = 0, slope, stiffness, W1, W2, found[4] = {0, 0, 0, 0};

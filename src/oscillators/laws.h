@@ -156,8 +156,8 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon; at the last point the error is within 4 eps of the larger of
-   the last two values. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
+   the value in the table, where eps is the machine epsilon; at the last point it is within 4 eps of the larger of the
+   last two values. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
    pointers and for a law that no constructor made; VM_NOT_FINITE where t or a result is infinite or NaN; VM_DOMAIN for
    t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function fails; VM_OK otherwise. An
    error leaves *f and *rate untouched. */

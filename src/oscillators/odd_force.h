@@ -19,7 +19,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "../base/zero.h"
 #include "legendre.h"
@@ -430,14 +429,16 @@ VM_API vm_real vmi_odd_user_missing(vm_real more, void *state)
     return sum * length - s->v * s->v / 2;
 }
 
-/* Finds the orbit through the state (x, v). A trial value of (amplitude - |x|) is doubled or halved until the true
-   value lies between two trial values. Returns VM_NO_LAW where no amplitude belongs to the state. */
+/* Finds the orbit through the state (x, v). `low` is the largest known value of (amplitude - |x|) that is too small. A
+   step beyond `low` is halved if it leads to a place where the function fails, or where F is not positive and the
+   energy is not yet reached. Otherwise it doubles `low`, until the true value lies between two trial values. Returns
+   VM_NO_LAW where no amplitude belongs to the state. */
 VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v, vmi_orbit *orbit)
 {
     const int most = 200;
     vmi_odd_state s;
-    vm_real step, missing, before;
-    int i = 0;
+    vm_real low = 0, step, missing = 0, before = -v * v / 2;
+    int i, bounded = 0;
     s.force = force;
     s.x = VM_FABS(x);
     s.v = v;
@@ -448,20 +449,27 @@ VM_API int vmi_odd_user_through(const vm_odd_force *force, vm_real x, vm_real v,
     orbit->size = s.x;
     if (v == 0) return VM_OK;
     step = s.x > 0 ? s.x : VM_FABS(v);
-    missing = vmi_odd_user_missing(step, &s);
-    for (; missing > 0 && i < most && !s.status; i++) {
-        step /= 2;
-        missing = vmi_odd_user_missing(step, &s);
-    }
-    before = missing;
-    for (; !(missing > 0) && i < most && !s.status; i++) {
+    for (i = 0; i < most && !(bounded && step < VM_EPSILON * (s.x + low)); i++) {
+        vm_real f = 0;
+        int is_too_far;
+        s.status = VM_OK;
+        missing = vmi_odd_user_missing(low + step, &s);
+        if (!s.status) s.status = vmi_odd_user_at(force, s.x + (low + step), &f);
+        if (missing > 0) is_too_far = low == 0;
+        else is_too_far = f <= 0;
+        if (s.status || is_too_far) {
+            if (s.status || !(missing > 0)) bounded = 1;
+            step /= 2;
+            continue;
+        }
+        if (missing > 0) break;
         before = missing;
-        step *= 2;
-        missing = vmi_odd_user_missing(step, &s);
+        low += step;
+        if (!bounded) step = low;
     }
     if (s.status) return s.status;
     if (!(missing > 0)) return VM_NO_LAW;
-    orbit->size = s.x + vmi_find_zero(vmi_odd_user_missing, &s, step / 2, step, before, missing);
+    orbit->size = s.x + vmi_find_zero(vmi_odd_user_missing, &s, low, low + step, before, missing);
     return s.status;
 }
 
@@ -495,11 +503,11 @@ VM_API int vmi_odd_user_at_phase(const vmi_orbit *orbit, vm_real phi, vm_real *x
     return VM_OK;
 }
 
-/* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only; its last argument is
-   ctx. F must be positive for 0 < x <= A, where A is the amplitude; it is enough that the integral of F from every such
-   x to A is positive. Between 0 and A the force must be so smooth that polynomials of degree 19 represent it on at most
-   8 equal pieces. Otherwise vm_odd_exact_from and the averaged solutions return VM_NO_LAW. If `function` is null, all
-   functions that use the force and return a status return VM_BAD_ARGUMENT. */
+/* Odd elastic force F(x) that a user's function computes. The function is called for x >= 0 only, also for some x above
+   the amplitude A, where it may fail; its last argument is ctx. F must be positive for 0 < x <= A; it is enough that
+   the integral of F from every such x to A is positive. Between 0 and A the force must be so smooth that polynomials of
+   degree 19 represent it on at most 8 equal pieces. Otherwise vm_odd_exact_from and the averaged solutions return
+   VM_NO_LAW. If `function` is null, all functions that use the force and return a status return VM_BAD_ARGUMENT. */
 VM_API vm_odd_force vm_odd_force_user(vm_odd_function function, void *ctx)
 {
     vm_odd_force force;
@@ -535,7 +543,8 @@ VM_API int vmi_orbit_of_state(const vm_odd_force *force, vm_real x, vm_real v, v
 
 /* Exact period, s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass. Returns NaN
    for a null pointer, for a force that no constructor made, for x0 = 0 or infinite x0, and where there is no vibration.
-   The relative error is at most 1e-13 (float 1e-5). */
+   The relative error is at most 1e-13 (float 1e-5), for a Duffing force where the terms named at vm_duffing_period do
+   not cancel. */
 VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -545,7 +554,8 @@ VM_API vm_real vm_odd_period(const vm_odd_force *force, vm_real x0)
 
 /* Action, m^2/s, of x'' + F(x) = 0 from rest at x0 (m, either sign), for an odd force F per unit mass. The action is
    the integral of v dx over a period, divided by 2 pi. It stays nearly constant while the force changes slowly. Returns
-   NaN where vm_odd_period does, but 0 for x0 = 0. The accuracy is that of vm_odd_period. */
+   NaN where vm_odd_period does, but 0 for x0 = 0 and for a body at rest in a well. The accuracy is that of
+   vm_odd_period. */
 VM_API vm_real vm_odd_action(const vm_odd_force *force, vm_real x0)
 {
     vmi_orbit orbit;
@@ -567,7 +577,7 @@ VM_API int vm_odd_exact_from(const vm_odd_force *force, vm_real t, vm_real x0, v
     vm_real phi, now[2];
     int status;
     if (!force || !force->at || !x || !v) return VM_BAD_ARGUMENT;
-    if (!VM_IS_FINITE(t)) return VM_NOT_FINITE;
+    if (!VM_IS_FINITE(t) || !VM_IS_FINITE(force->k1) || !VM_IS_FINITE(force->k3)) return VM_NOT_FINITE;
     status = vmi_orbit_of_state(force, x0, v0, &orbit);
     if (status) return status;
     now[0] = x0;

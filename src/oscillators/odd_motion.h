@@ -25,7 +25,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "laws.h"
 #include "legendre.h"
@@ -474,11 +473,7 @@ VM_API int vmi_odd_fill(vm_odd_plan *p)
     vmi_orbit orbit;
     int status;
     vm_real f;
-    p->n = 0;
-    p->reach = 0;
-    p->at_rest = 0;
     orbit.size = 0;
-    p->start = orbit;
     status = o->force.at(&o->force, o->x, &f);
     if (!status) status = vmi_odd_first_velocity(p);
     if (status) return status;

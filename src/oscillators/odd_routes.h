@@ -14,7 +14,6 @@
 #include <string.h>
 
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "../integrators/rk87.h"
 #include "averaging.h"

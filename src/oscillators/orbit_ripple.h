@@ -25,7 +25,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "odd_force.h"
 
 /* The largest number of terms of a Fourier series in vmi_orbit_ripple */

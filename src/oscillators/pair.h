@@ -67,8 +67,8 @@ VM_API int vmi_pair_now(const vm_pair *p, vm_real t, const vm_real *state_or_NUL
 /* Equations of motion (517), (518) of two bodies, for rk45 or rk87.
    The array y = (x, y, x', y') is in m and m/s; pair points to a vm_pair. Returns VM_BAD_ARGUMENT for null pointers or
    where no constructor made the mass, VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked),
-   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or t
-   outside a table. These statuses stop the integration. */
+   VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0 or a t at
+   which a law has no value. These statuses stop the integration. */
 VM_API int vm_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *pair)
 {
     if (!y || !dydt || !pair) return VM_BAD_ARGUMENT;
@@ -137,9 +137,10 @@ VM_API int vmi_pair_join(const vm_pair *p, vm_real mass, vm_real rate, const vm_
    - x vibrates with the mean amplitude A, m, and the Ateb phase psi. A does not contain the ripple of the amplitude
    within a period. Any initial velocities are allowed. Returns VM_BAD_ARGUMENT for null pointers or where no
    constructor made the mass, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS or VM_BAD_STIFFNESS for a
-   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0, for t outside a table, and where the ripple is
-   as large as the motion. The ripple is as large as the motion where |(2r - 1) m'/m| is about twice the rate of psi,
-   for example where the mass m tends to 0; r is the field `reactive`. modes and y may be the same array. */
+   mass or a stiffness that is not positive, and VM_DOMAIN for alpha < 0, for a t at which a law has no value, and where
+   the ripple is as large as the motion. The ripple is as large as the motion where |(2r - 1) m'/m| is about twice the
+   rate of psi, for example where the mass m tends to 0; r is the field `reactive`. modes and y may be the same array.
+   */
 VM_API int vm_pair_to_averaged(const vm_pair *p, vm_real t, const vm_real *y, vm_real *modes)
 {
     if (!p || !y || !modes) return VM_BAD_ARGUMENT;

@@ -35,7 +35,6 @@
 
 #include "../base/arrays.h"
 #include "../base/complex.h"
-#include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
@@ -104,10 +103,9 @@ VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
             odd += g[i] / (vm_real)n * turn.im;
             step = (step + k % n) % n;
         }
-        p->cosine[k] = 2 * even;
+        p->cosine[k] = k > 0 ? 2 * even : even;
         p->sine[k] = 2 * odd;
     }
-    p->cosine[0] /= 2;
     return VM_OK;
 }
 
@@ -127,7 +125,7 @@ VM_API vm_real vm_periodic_shape(const vm_periodic *p, vm_real theta)
 
 /* Equation of motion of an oscillator under a periodic force, for rk45 or rk87. The array y = (x, x', theta) is in m,
    m/s and rad; `periodic` points to a prepared vm_periodic. Returns the statuses of vm_periodic_init, now for the
-   fields at the time t, and VM_DOMAIN for t outside a table. These statuses stop the integration. */
+   fields at the time t, and VM_DOMAIN for a t at which a law has no value. These statuses stop the integration. */
 VM_API int vm_periodic_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *periodic)
 {
     if (!y || !dydt || !periodic) return VM_BAD_ARGUMENT;
@@ -333,7 +331,8 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 
 /* The excess, which is delta' of the averaged equations times the absolute value of the sum S. The excess is computed
    at a phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0
-   are the steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. */
+   are the steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. For
+   alpha = 0 the limit includes w |S|, which then does not tend to 0. */
 VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
 {
     const vmi_periodic_search *s = (const vmi_periodic_search *)search;
@@ -342,6 +341,7 @@ VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
     const vm_real A = vmi_periodic_amplitude(z, sums.S);
     const vm_real limit = -VM_COPYSIGN(z->p, z->push) * sums.C; /* p C sign(S), where sign(S) is -sign(push p) */
     vm_real w;
+    if (A == 0 && z->exponent <= VM_C(-0.5)) return limit + z->w1 * z->w1 * VM_FABS(z->p / z->push); /* alpha = 0 */
     if (A == 0) return limit;
     w = z->w1 * vmi_pow_checked(A, z->exponent);
     return (w - z->nu) * VM_FABS(sums.S) + limit;
@@ -410,10 +410,11 @@ VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, v
    parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
    returns how many there are (this number may be larger than room), or a negative status. The function computes at 360
    phases, one degree apart, a function of the phase that is 0 for a steady vibration, and looks for its changes of
-   sign. It may therefore miss two vibrations whose phases differ by less than a degree; such vibrations lie next to a
-   fold of the resonance curve. The function takes about as long as the computation of 4000 sines. The negative statuses
-   are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0,
-   which the comment of vm_periodic_curve explains. */
+   sign. It may therefore miss two vibrations whose phases differ by less than a degree. Such vibrations lie next to a
+   fold of the resonance curve, or, if the damping is small, close to a phase with S = 0, where their amplitudes may
+   differ much. For a harmonic force use vm_forced_steady_states. The function takes about as long as the computation of
+   4000 sines. The negative statuses are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for
+   room < 0, and VM_DOMAIN for q = 0, which the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;

@@ -94,6 +94,7 @@ VM_API int vmi_osc_start_without_phase(vm_osc_plan *p)
     p->slow.a = rates.a;
     p->slow.p = rates.p;
     p->slow.k_rate = rates.k_rate;
+    p->slow.bend = 0;
     p->slow.unit = 1;
     for (i = 0; i < VMI_OSC_G; i++) {
         p->slow.G[i] = 0;

@@ -39,6 +39,7 @@ typedef struct VM_TAG(vmi_osc_slow) {
     vm_real m, k;         /* mass, kg, and stiffness, N/m^alpha */
     vm_real a, p;         /* the rates a and p that the top of this file defines, 1/s */
     vm_real k_rate;       /* k'/k, 1/s */
+    vm_real bend;         /* absolute value of the time derivative of m'/m, 1/s^2 */
     vm_real unit;         /* a time of about 1/W, s; its powers make the G_k pure numbers, so that powers of very large
                              or small rates do not overflow */
     vm_real G[VMI_OSC_G]; /* G[i] is unit^(i+2) G_i, a pure number */
@@ -194,6 +195,7 @@ VM_API void vmi_osc_slow_of(const vm_osc_problem *o, vm_real *m, vm_real *k, vm_
         m[i] = a;
         k[i] = (k_rate[i] + 2 * a - m_rate[i]) / (o->alpha + 3);
     }
+    now->bend = VM_FABS(m_rate[1]) / unit / unit;
     now->a = m[0] / unit;
     now->k_rate = k_rate[0] / unit;
     now->p = k[0] / unit;

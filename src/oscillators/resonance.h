@@ -28,7 +28,7 @@
 typedef struct VM_TAG(vm_steady_state) {
     vm_real nu;         /* frequency of the force, rad/s */
     vm_real A;          /* mean amplitude, m; vm_forced_from_averaged gives the motion with its ripple */
-    vm_real delta;      /* phase by which the vibration leads the force, rad, -pi < delta <= pi */
+    vm_real delta;      /* phase by which the vibration leads the force, rad, -pi <= delta <= pi */
     vm_real trace, det; /* trace and determinant of the linearized equations: small deviations from the steady vibration
                            vary as e^(lambda t), where lambda^2 - trace lambda + det = 0 */
     int stable;         /* 1 if the vibration is stable, which means det > 0 and trace < 0; else 0. If det < 0, the
@@ -195,9 +195,9 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
 }
 
 /* Largest amplitude, m, of the amplitude-frequency curve. The curve has this amplitude where it crosses the backbone nu
-   = w(A), on which the frequency of the force is the natural frequency. The result is infinite without damping. The
-   relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where the parameters at time t are
-   not in their domain. */
+   = w(A), on which the frequency of the force is the natural frequency. The result is infinite without damping, but NaN
+   if the force is 0, too. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where
+   the parameters at time t are not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {
     if (!f) return VM_NAN;

@@ -66,9 +66,9 @@ typedef struct VM_TAG(vmi_linear_mass) {
 
 /* Writes to *linear the mass that a law describes between 0 and t, if this mass is linear in time. Some closed forms
    hold only for a linear mass. Returns VM_NO_LAW unless vmi_law_exponential_form finds base = rate; so it refuses every
-   table and every quadratic law, even if the mass is in fact linear. Returns VM_BAD_MASS where the mass is not positive
-   at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a number that is infinite or
-   NaN. */
+   table, and every quadratic law that is not constant, even if the mass is in fact linear. Returns VM_BAD_MASS where
+   the mass is not positive at 0 or at t, VM_BAD_ARGUMENT where no constructor made the law, and VM_NOT_FINITE for a
+   number that is infinite or NaN. */
 VM_API int vmi_linear_mass_of(const vm_law *law, vm_real t, vmi_linear_mass *linear)
 {
     vm_real growth, mean, base, rate;

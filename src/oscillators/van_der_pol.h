@@ -143,42 +143,39 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
    error of averaging, which depends on the field `method`, and of the rounding error, which tests bound by 12 eps.
    Returns NaN for a null pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is
    not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
-   vm_vdp_averaged_rhs instead). For c < 0 it also returns NaN from the time at which the amplitude becomes infinite.
+   vm_vdp_averaged_rhs instead). For c < 0, and for c > 0 backward in time, it also returns NaN from the time at which
+   the amplitude becomes infinite.
    Method: the solution of (416) is
      1/A^2 = e^-F (1/first_A^2 + 2 c a3/a1 times the integral of e^F dt/m),  F = drive a2/a1 times the integral of dt/m,
    where drive = 2 feed - (2r - 1) m'. If the mass is linear in time, F is proportional to the integral of dt/m; hence
-   the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. So that nothing overflows, the code uses e^-|F|
-   and divides by the larger of the two terms in the bracket. */
+   the integral of e^F dt/m is (e^F - 1)/F times the integral of dt/m. So that nothing overflows, the code uses
+   e^(-|F|/2) and divides by the larger of the two terms in the bracket. */
 VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 {
     if (!v) return VM_NAN;
     vmi_linear_mass m;
-    vm_real F, e, limit, root, size, scale, numerator, free_term, denominator;
+    vm_real F, half, limit, root, size, scale, gain = 1, free_part = 1, denominator;
     if (!VM_IS_FINITE(first_A) || !VM_IS_FINITE(v->c) || !vmi_vdp_has_closed_forms(v)) return VM_NAN;
     if (vmi_vdp_has_stiffness_law(v)) return VM_NAN;
     if (vmi_linear_mass_of(&v->mass, t, &m)) return VM_NAN;
+    if (first_A == 0) return first_A;
     F = vmi_vdp_drive(v, 0) * (v->a2 / v->a1) * m.integral -
         (2 * v->reactive - 1) * (v->a2 / v->a1) * m.ln_ratio;
-    e = vmi_exp(-VM_FABS(F), 0);
+    half = vmi_exp(-VM_FABS(F) / 2, 0);
     limit = 2 * v->c * (v->a3 / v->a1) * m.integral * vmi_exp_ratio(-VM_FABS(F));
     root = VM_SQRT(VM_FABS(limit));
-    size = VM_FABS(first_A) * root; /* the square of `size` is added to free_term with the sign of `limit` */
-    if (F > 0) {
-        numerator = 1;
-        free_term = e;
-    } else {
-        numerator = e;
-        free_term = 1;
-    }
-    if (size > 1) {
+    size = VM_FABS(first_A) * root; /* the square of `size` is added to that of free_part, with the sign of `limit` */
+    if (F > 0) free_part = half;
+    else gain = half;
+    if (size > free_part) {
         scale = VM_COPYSIGN(1 / root, first_A);
-        denominator = free_term / size / size + VM_COPYSIGN(1, limit);
+        denominator = (free_part / size) * (free_part / size) + VM_COPYSIGN(1, limit);
     } else {
-        scale = first_A;
-        denominator = free_term + VM_COPYSIGN(size * size, limit);
+        scale = first_A / free_part;
+        denominator = 1 + VM_COPYSIGN((size / free_part) * (size / free_part), limit);
     }
     if (denominator < 0) return VM_NAN;
-    return scale * VM_SQRT(numerator / denominator);
+    return scale * gain / VM_SQRT(denominator);
 }
 
 /* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must
@@ -213,7 +210,7 @@ VM_API int vmi_vdp_laws_at(const vm_vdp *v, vm_real t, vm_real *mass, vm_real *m
    The array y = (x, x') is in m and m/s; `vdp` points to a vm_vdp. Returns VM_BAD_ARGUMENT for null pointers or where
    no constructor made the mass, VM_NOT_FINITE for t or a field that is infinite or NaN (y is not checked), VM_BAD_MASS
    for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, and VM_DOMAIN for alpha < 0
-   and for t outside a table. These statuses stop the integration. */
+   and for a t at which a law has no value. These statuses stop the integration. */
 VM_API int vm_vdp_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *vdp)
 {
     if (!y || !dydt || !vdp) return VM_BAD_ARGUMENT;

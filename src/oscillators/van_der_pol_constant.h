@@ -22,7 +22,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "expansion.h"
 #include "laws.h"

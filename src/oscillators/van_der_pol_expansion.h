@@ -30,8 +30,6 @@
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_EXPANSION_H
 
-#include "../ateb/phase.h"
-#include "../base/elementary.h"
 #include "../base/real.h"
 #include "constant_mass.h"
 #include "ripple.h"
@@ -336,13 +334,14 @@ VM_API vm_real vmi_vdp_mean_rate(const vmi_vdp_ripple *v, const vmi_ripple *r, c
 typedef struct VM_TAG(vmi_vdp_sizes) {
     vm_real psi, J; /* terms of order epsilon^2 in the phase and in ln J, in the transformation to the motion */
     vm_real start;  /* terms of order epsilon^3 in ln J, in the transformation to the mean motion */
+    vm_real third;  /* terms of order epsilon^3 with the derivative of m'/m, in the phase and in ln J */
     vm_real ratio;  /* estimated ratio of the terms of one order to the terms of the next lower order */
 } vmi_vdp_sizes;
 
 /* Computes the bounds in vmi_vdp_sizes for the disturbances *now. `rate` is (|nu| + |p| + |a|)/W, with the symbols at
-   the top of this file. The numerical factors are fitted to the largest values of the functions of the transformation
-   for alpha from 0.2 to 12. */
-VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate)
+   the top of this file, and `bend` is the derivative of m'/m, divided by W^2. The numerical factors are fitted to the
+   largest values of the functions of the transformation for alpha from 0.2 to 12. */
+VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturbance *now, vm_real rate, vm_real bend)
 {
     const vm_real d = r->pi / (2 * VM_PI), d2 = d * d, d3 = d2 * d, d4 = d2 * d2;
     const vm_real e = VM_FABS(now->e), e1 = VM_FABS(now->e1), Q = VM_FABS(now->Q0), E = VM_FABS(now->E0);
@@ -352,6 +351,7 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_of(const vmi_ripple *r, const vmi_vdp_disturb
     s.J = VM_C(0.18) * d2 * (e * e + d * e1) + VM_C(1.5) * d2 * Q + VM_C(2.4) * d2 * E;
     s.start = e * (VM_C(0.06) * d4 * e * e + VM_C(0.12) * d3 * e1 + VM_C(0.5) * d4 * Q + VM_C(0.9) * d4 * E) +
               rate * (VM_C(0.14) * d4 * e1 + VM_C(1.1) * d3 * Q + VM_C(2.1) * d3 * E);
+    s.third = VM_C(0.06) * d4 * e * bend;
     s.ratio = d * (e + rate);
     return s;
 }

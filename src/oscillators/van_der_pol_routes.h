@@ -25,11 +25,8 @@
 
 #include "../ateb/period.h"
 #include "../base/arrays.h"
-#include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
-#include "integration.h"
 #include "collocation.h"
 #include "mean_motion.h"
 #include "problem.h"
@@ -74,8 +71,8 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     vmi_expansion_sizes terms;
     vmi_vdp_absolute_E(&mean->now, W, E);
     vmi_expansion_find_sizes(r, E, &terms);
-    third += 2 / n * (mean->psi_third + terms.psi[3] + terms.psi[4]);
-    third += 2 / (n + 2) * (mean->J_third + terms.J[3] + terms.J[4]);
+    third += 2 / n * (mean->psi_third + terms.psi[3] + terms.psi[4] + now.third);
+    third += 2 / (n + 2) * (mean->J_third + terms.J[3] + terms.J[4] + now.third);
     error = 2 * third + fast + rounding;
     *second = 2 * back + error;
     if (!(*second < largest_known)) *second = VM_INFINITY;
@@ -267,11 +264,12 @@ VM_API void vmi_vdp_cycle_coefficients(const vmi_vdp_ripple *v, const vmi_ripple
 /* Limit cycle of a Van der Pol oscillator of constant mass, to second order in epsilon. epsilon is feed/(m W), where m
    is the mass, and W the rate of the Ateb phase, 1/s, at the amplitude A of vm_vdp_limit_cycle. Then the largest x is A
    (1 + kx epsilon^2) and the period is 2 Pi_alpha/(W (1 + kw epsilon^2)), with kx = 1/192 and kw = -1/16 for alpha = 1.
-   The errors of both results are O(epsilon^4). Mass and stiffness are those at t = 0. The fields method and reactive
-   must be valid, but the result does not depend on them, nor on a1 to a3. Returns VM_BAD_ARGUMENT for null pointers, an
-   unknown method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS
-   for a mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for
-   a table whose times do not rise or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there
+   The number epsilon must be small: where it is above 4, the computed period is negative for alpha = 1. The errors of
+   both results are O(epsilon^4). Mass and stiffness are those at t = 0. The fields method and reactive must be valid,
+   but the result does not depend on them, nor on a1 to a3. Returns VM_BAD_ARGUMENT for null pointers, an unknown
+   method, and a mass that no constructor made, VM_NOT_FINITE for numbers that are infinite or NaN, VM_BAD_MASS for a
+   mass that is not positive, VM_BAD_STIFFNESS for a stiffness that is not positive, VM_DOMAIN for alpha < 0, for a
+   table whose times do not rise or do not contain t = 0, and where a user's function fails, and VM_NO_LAW where there
    is no limit cycle, that is where feed and c do not have the same sign. An error leaves *cycle untouched. */
 VM_API int vm_vdp_cycle_of(const vm_vdp *v, vm_vdp_cycle *cycle)
 {

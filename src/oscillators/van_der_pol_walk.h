@@ -22,16 +22,13 @@
 #ifndef VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
 #define VARMASS_OSCILLATORS_VAN_DER_POL_WALK_H
 
-#include "../ateb/plans.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "averaging.h"
 #include "collocation.h"
 #include "laws.h"
 #include "legendre.h"
-#include "mean_motion.h"
 #include "panels.h"
 #include "plan.h"
 #include "problem.h"
@@ -131,7 +128,7 @@ VM_API vmi_vdp_sizes vmi_vdp_sizes_at(const vm_vdp_plan *p, const vmi_osc_slow *
     const vm_real rate = (VM_FABS(vmi_vdp_nu(p, now->a, now->p, now->k_rate)) + VM_FABS(now->p) +
                           VM_FABS(now->a)) /
                          W;
-    return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate);
+    return vmi_vdp_sizes_of(&p->osc.ripple, &d, rate, now->bend / W / W);
 }
 
 /* Writes the absolute values of the numbers E_k = G_k/W^(k+2) of oscillators/expansion.h, for the oscillator without
@@ -166,8 +163,8 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
     mean->J_error += sizes.start;
     mean->psi_error += sizes.psi;
     vmi_expansion_find_sizes(&p->osc.ripple, E, &terms);
-    mean->J_third += terms.J[4];
-    mean->psi_third += terms.psi[3];
+    mean->J_third += terms.J[4] + sizes.third;
+    mean->psi_third += terms.psi[3] + sizes.third;
     mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
 }
 

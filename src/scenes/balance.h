@@ -152,16 +152,18 @@ VM_API void vm_scene_keep_budget(vm_scene *scene, vm_budget *budget_or_NULL)
 /* Computes the budget of a scene in the state y at time t: the momentum and energy of the bodies, the supply from
    outside since the start, and the defects. Defects come from rounding, from the errors of the integrator, and from
    constraints: a line, an axle and the plane hold a body by reactions, which the supply does not include. Returns
-   VM_BAD_ARGUMENT if the scene keeps no budget, a pointer is NULL or a count is negative; VM_NOT_STARTED if the scene
-   was not started; VM_NOT_FINITE if the state or a mass that a law gives is not finite; the status of a vm_law that
-   fails; and else VM_OK. */
+   VM_BAD_ARGUMENT if the scene keeps no budget, `budget` is the struct given to vm_scene_keep_budget (which holds the
+   values at the start), a pointer is NULL or a count is negative; VM_NOT_STARTED if the scene was not started;
+   VM_NOT_FINITE if the state or a mass that a law gives is not finite; the status of a vm_law that fails; and else
+   VM_OK. */
 VM_API int vm_scene_budget_at(vm_scene *scene, vm_real t, const vm_real *y, vm_budget *budget)
 {
     const vm_budget *start = scene ? scene->budget : NULL;
     const vm_real *sums;
     vm_budget b;
     int status;
-    if (!start || !y || !budget || !vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
+    if (!start || !y || !budget || budget == start) return VM_BAD_ARGUMENT;
+    if (!vmi_scene_has_lists(scene) || scene->n_events < 0) return VM_BAD_ARGUMENT;
     if (!vmi_scene_is_started(scene)) return VM_NOT_STARTED;
     if (!vmi_all_finite(vm_scene_size(scene), y)) return VM_NOT_FINITE;
     b = *start;

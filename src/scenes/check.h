@@ -14,7 +14,6 @@
 #include "../base/real.h"
 #include "../base/status.h"
 #include "../mechanics/bodies.h"
-#include "../mechanics/vectors.h"
 #include "scene.h"
 
 /* Says which part of a scene is wrong */

@@ -22,7 +22,6 @@
 #include "../mechanics/attitude.h"
 #include "../mechanics/vectors.h"
 #include "effects.h"
-#include "evaluate.h"
 #include "events.h"
 #include "points.h"
 #include "scene.h"
@@ -101,6 +100,7 @@ VM_API vm_real vmi_when_contact(const vm_event *e, vm_real t, const vm_real *y)
 
 VM_API int vmi_contact_check_event(const vm_scene *s, const vm_event *e)
 {
+    if (e->body < 0) return VM_NO_SUCH_BODY;
     return vmi_contact_check_parts(s, e->body, (const vm_contact *)e->parts);
 }
 
@@ -128,7 +128,9 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     vmi_body_point p;
     vm_vec3 normal, impulse;
     vm_real mobility, v;
-    int status = vmi_event_weigh(e, t, y);
+    int status;
+    if (s->bodies[e->body].away) return VM_IS_AWAY;
+    status = vmi_event_weigh(e, t, y);
     if (status) return status;
     vmi_point_now(s, e->body, contact->at, y, &p);
     vmi_contact_height(contact, &p, &normal);
@@ -158,7 +160,8 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 /* Lets the body of a vm_event_contact land without a bounce: at the event an impulse takes away the velocity of the
    contact's point along the normal. The other velocities of the body change only by this impulse. Afterwards
    vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has not made the
-   event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. */
+   event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. A run ends with
+   VM_IS_AWAY if the body is not present. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

@@ -14,12 +14,12 @@
 #define VARMASS_SCENES_FORCES_H
 
 #include "../base/elementary.h"
+#include "../base/hypot.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../oscillators/force_terms.h"
 
-/* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign. The result is NaN
-   for alpha < 0. For alpha = 1, 2 and 3 the power function is not called. */
+/* The force of a spring, -k x |x|^(alpha-1) (248). The stiffness k in N/m^alpha may have either sign; alpha must not be
+   negative. For alpha = 1, 2 and 3 the power function is not called. */
 VM_INLINE vm_real vm_force_spring(vm_real x, vm_real k, vm_real alpha)
 {
     if (alpha == 1) return -k * x;
@@ -67,12 +67,12 @@ VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real re
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
 /* The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y). It points to the origin of the plane. r
-   is in m and the stiffness k in N/m^alpha. If alpha < 0, the force is 0 at r = 0 and NaN everywhere else. The
-   components are written to *fx and *fy; if one of these pointers is NULL, nothing is written. */
+   is in m and the stiffness k in N/m^alpha; alpha must not be negative. The components are written to *fx and *fy; if
+   one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    const vm_real r = VM_SQRT(x * x + y * y), f = r > 0 ? vm_force_spring(r, k, alpha) / r : 0;
+    const vm_real r = vmi_hypot(x, y), f = r != 0 ? vm_force_spring(r, k, alpha) / r : 0;
     *fx = f * x;
     *fy = f * y;
 }

@@ -63,7 +63,9 @@ VM_API int vmi_gravitation_check(const vm_effect *e)
 /* Gravitation between two bodies, the force G M1 M2/r^2. G is in m^3/(kg s^2), 6.6743e-11 in nature; M1 and M2 are the
    present masses and r is the distance of the mass centres. The force on a body in the plane stays in the plane.
    vm_scene_start returns VM_NO_SUCH_BODY if `other` is VM_GROUND, VM_SAME_BODY if `other` is equal to `body`, and
-   VM_BAD_MOTION if one of the bodies is on a line or an axle. A run ends with VM_NOT_FINITE if the bodies meet. */
+   VM_BAD_MOTION if one of the bodies is on a line or an axle. If the bodies fall onto each other, a run ends with
+   VM_STEP_TOO_SMALL, since the force grows without limit; if they are at one place when a run starts, it ends with
+   VM_NOT_FINITE. */
 VM_API vm_effect vm_effect_gravitation(int body, int other, vm_real G)
 {
     vm_effect e = vmi_effect_gravitation(body, other, vmi_apply_gravitation);
@@ -84,7 +86,7 @@ VM_API void vmi_apply_central_gravity(const vm_effect *e, vm_real t, const vm_re
 /* Gravitation towards a centre at rest, the force mu M/r^2. mu is G times the mass in the centre, in m^3/s^2
    (3.986004418e14 for the Earth); M is the present mass of the body and r its distance from the centre. The argument
    centre is in m and inertial axes; for a body in the plane centre.z is not used. vm_scene_start returns VM_BAD_MOTION
-   if the body is on a line or an axle. */
+   if the body is on a line or an axle. If the body falls into the centre, a run ends as for vm_effect_gravitation. */
 VM_API vm_effect vm_effect_central_gravity(int body, vm_vec3 centre, vm_real mu)
 {
     vm_effect e = vmi_effect_gravitation(body, VM_GROUND, vmi_apply_central_gravity);

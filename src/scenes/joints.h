@@ -21,8 +21,10 @@
    holds for joints that nearly contradict each other, such as two rods almost in line, and for light bodies between
    heavy bodies, since the forces are refined until they fit the equations. An example is a point that two rods of 1 m
    hold near the line through their other ends. If the point is 1e-5 m beside this line, the relative errors of the
-   forces of the rods are 4e-16; if it is 1e-7 m beside the line, they are 4e-11. If the point is 2e-8 m beside the
-   line, or closer, the run ends with VM_SINGULAR.
+   forces of the rods are 4e-16; if it is 1e-7 m beside the line, they are 4e-11. These numbers are for deviations C
+   that are computed as exactly 0. Otherwise the rounding of C, about eps times the length l of a rod, adds about rate^2
+   eps l to the error of the acceleration C''. If the point is 2e-8 m beside the line, or closer, the run ends with
+   VM_SINGULAR.
 
    Tests: tests/test_scene_joints.c. */
 #ifndef VARMASS_SCENES_JOINTS_H
@@ -33,10 +35,8 @@
 #include "../base/arrays.h"
 #include "../base/linear.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "../mechanics/vectors.h"
-#include "check.h"
 #include "effects.h"
 #include "motions.h"
 #include "points.h"
@@ -77,7 +77,8 @@ struct VM_TAG(vm_joint) {
     int body, other;      /* indices of the bodies; `other` may be VM_GROUND */
     vm_vec3 at, other_at; /* m: the points of `body` and `other`, in the axes of these bodies */
     vm_real length;       /* m: length of a rod */
-    /* fields that the caller may read; each evaluation sets them, to 0 while a body of the joint is not present */
+    /* field that the caller may read; each evaluation in which the joints act sets it, to 0 while a body of the joint
+       is not present */
     vm_vec3 force; /* N, inertial axes: reaction on `body`; the reaction on `other` is opposite */
     /* fields of the last evaluation */
     int n_rows; /* number of equations */
@@ -502,7 +503,7 @@ VM_API int vmi_joints_check(const vm_scene *s, const vm_effect *e)
     const vm_joints *joints = (const vm_joints *)e->parts;
     int i, status = VM_OK;
     if (!joints->work) return VM_BAD_ARGUMENT;
-    if (e->body >= 0 && s->bodies[e->body].absent) return VM_IS_AWAY;
+    if (s->bodies[e->body].absent) return VM_IS_AWAY;
     for (i = 0; i < joints->n_joints; i++) status = vmi_first_error(status, vmi_joint_check(joints->joints + i, s));
     if (!VM_IS_FINITE(joints->rate)) status = vmi_first_error(status, VM_NOT_FINITE);
     if (joints->rate <= 0) status = vmi_first_error(status, VM_DOMAIN);

@@ -42,7 +42,6 @@
 #include "../mechanics/jumps2.h"
 #include "../mechanics/vectors.h"
 #include "check.h"
-#include "evaluate.h"
 #include "events.h"
 #include "growing.h"
 #include "motions.h"
@@ -66,8 +65,8 @@ VM_API vm_impulse vmi_event_impulse(const vm_event *e)
 }
 
 /* Computes the jump on a line and on an axle. Let `sign` be -1 for a part that separates and 1 for a body that is
-   attached. The velocity of the body becomes v1 = (M v + sign m v2 + impulse)/(M + sign m) (24), and its mass centre
-   moves by the fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v are mass and
+   attached. The velocity of the body becomes v1 = v + (sign m (v2 - v) + impulse)/(M + sign m) (24), and its mass
+   centre moves by the fraction sign m/(M + sign m) of the way to the mass centre of the part (15). M and v are mass and
    velocity of the body, m and v2 those of the part or of the attached body; on an axle M and m are moments of inertia.
    Line and axle use the same formulas, because the numbers that a line or an axle does not need are 0. */
 VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_body *other, vm_body *b)
@@ -82,8 +81,8 @@ VM_API int vmi_event_jump_on_line(const vm_event *e, const vm_body *body, vm_bod
     *b = *body;
     if (!(mass > 0)) return VM_BAD_MASS;
     b->mass = mass;
-    b->v.x = (body->mass * body->v.x + m * other->v.x + external.linear.x) / mass;
-    b->omega.z = (body->mass * body->omega.z + m * other->omega.z + external.couple.z) / mass;
+    b->v.x = body->v.x + (m * (other->v.x - body->v.x) + external.linear.x) / mass;
+    b->omega.z = body->omega.z + (m * (other->omega.z - body->omega.z) + external.couple.z) / mass;
     b->r.x = body->r.x + m / mass * (other->r.x - body->r.x);
     return VM_OK;
 }
@@ -154,8 +153,8 @@ VM_API vm_real vmi_scene_angle(const vm_scene *s, int body, const vm_real *y)
 }
 
 /* Updates the position of the mass centre in body axes, after a jump has moved the mass centre of a body to r. For a
-   growing body this position is a part of the state. For a body at whose points effects act, the field `centre` is the
-   vector by which jumps have moved the mass centre. */
+   growing body this position is a part of the state. For any other body, the field `centre` is the vector by which
+   jumps have moved the mass centre. */
 VM_API void vmi_scene_shift_centre(const vm_scene *s, int body, vm_vec3 r, vm_real *y)
 {
     vm_scene_body *b = s->bodies + body;
@@ -176,9 +175,9 @@ VM_API void vmi_scene_wake(vm_scene *s)
         if (s->effects[i].settle) s->effects[i].idle &= VMI_IDLE_SWITCHED_OFF;
 }
 
-/* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated, or
-   NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump, because the mass
-   that a law gives does not include the mass that a jump adds or takes away. */
+/* Writes the bodies after a jump into the state: the body that lost or gained mass, and the part that separated.
+   part_or_NULL is NULL if the body `other` was attached. Stores the masses that all bodies must have after the jump,
+   because the mass that a law gives does not include the mass that a jump adds or takes away. */
 VM_API void vmi_scene_put_jump(vm_event *e, vm_real *y, const vm_body *result, const vm_body *part_or_NULL)
 {
     vm_scene *s = e->scene;

@@ -65,7 +65,7 @@ enum { VMI_LINK_LENGTH, VMI_LINK_RATE };
    where v and a are the velocity and acceleration of `here` relative to `there`. The force of the link changes d a by
    lambda S. S is a sum over both ends and all coordinates; each term is the mobility of the end along the coordinate,
    times the square of this coordinate of d. lambda is 0 for a slack cord. Returns VM_SINGULAR if the ends are at one
-   place or cannot move along the link, VM_NOT_FINITE if a number is not finite, and else VM_OK. */
+   place or cannot move along the link, VM_NOT_FINITE if S is NaN or negative, and else VM_OK. */
 VM_API int vmi_link_lambda(const vm_effect *e, const vmi_link_end *here, const vmi_link_end *there, vm_real *lambda)
 {
     /* A cord does not pull while the distance of its ends is shorter than its length by more than this fraction. The

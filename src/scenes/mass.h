@@ -22,7 +22,6 @@
 #define VARMASS_SCENES_MASS_H
 
 #include "../base/real.h"
-#include "../mechanics/streams.h"
 #include "../mechanics/vectors.h"
 #include "effects.h"
 #include "scene.h"

@@ -1,10 +1,11 @@
 /* scenes/motions.h - the bodies of a scene, and how each of them moves
 
    A body moves along a line, about an axle, in the plane, as a point in space, or free in space, with rotation. The
-   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has three or four
-   functions: `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes
-   the derivatives of the state from the load, and `check` refuses an inertia that the body cannot have. A line and an
-   axle have no function `check`.
+   arguments of its constructor are its motion at the start, in SI units. Each kind of motion has up to five functions:
+   `put` writes the motion of a body into the state, `get` reads it from the state, `accelerate` computes the
+   derivatives of the state from the load, `shift` adds to the field `centre` the step by which a jump has moved the
+   mass centre, so that the points of the body stay where they are, and `check` refuses an inertia that the body cannot
+   have. A line has no function `check`, an axle neither `check` nor `shift`.
 
        vm_vec3 zero = {0, 0, 0};
        vm_scene_body bodies[] = {vm_scene_body_line(2, 0.1, 0),                              // 2 kg at x = 0.1 m
@@ -66,6 +67,12 @@ VM_API void vmi_line_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->v.x = state[1];
 }
 
+VM_API void vmi_line_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    (void)state;
+    b->centre = vm_add(b->centre, step);
+}
+
 /* A body on a line. mass is in kg, the position x in m, the velocity v in m/s. */
 VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
 {
@@ -75,6 +82,7 @@ VM_API vm_scene_body vm_scene_body_line(vm_real mass, vm_real x, vm_real v)
     b.start.v.x = v;
     b.put = vmi_line_put;
     b.get = vmi_line_get;
+    b.shift = vmi_line_shift;
     b.accelerate = vmi_single_accelerate;
     return b;
 }
@@ -148,6 +156,14 @@ VM_API void vmi_plane_get(const vm_scene_body *b, const vm_real *state, vm_body 
     now->inertia.xx = now->inertia.yy = now->inertia.zz / 2;
 }
 
+VM_API void vmi_plane_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    vm_real s, c;
+    vmi_sincos(state[VMI_PLANE_ANGLE], &s, &c);
+    b->centre.x += c * step.x + s * step.y;
+    b->centre.y += c * step.y - s * step.x;
+}
+
 /* A body in the plane. mass is in kg, the moment of inertia about the mass centre in kg m^2 (> 0), the position r in m,
    the angle in rad (anticlockwise), the velocity v in m/s, omega in rad/s. r.z and v.z have no effect. */
 VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 r, vm_real angle, vm_vec3 v,
@@ -163,6 +179,7 @@ VM_API vm_scene_body vm_scene_body_plane(vm_real mass, vm_real inertia, vm_vec3 
     b.start.r.z = b.start.v.z = 0;
     b.put = vmi_plane_put;
     b.get = vmi_plane_get;
+    b.shift = vmi_plane_shift;
     b.accelerate = vmi_plane_accelerate;
     b.check = vmi_plane_check;
     return b;
@@ -210,6 +227,7 @@ VM_API vm_scene_body vm_scene_body_point(vm_real mass, vm_vec3 r, vm_vec3 v)
     b.start.v = v;
     b.put = vmi_point_body_put;
     b.get = vmi_point_body_get;
+    b.shift = vmi_line_shift;
     b.accelerate = vmi_point_body_accelerate;
     b.check = vmi_point_body_check;
     return b;
@@ -268,15 +286,18 @@ VM_API vm_inertia vmi_invertible_inertia(const vm_inertia *i)
     return *i;
 }
 
+/* Writes the motion of a free body into the state. The quaternion gets the length 1, because its errors are judged by
+   the absolute tolerance of the integrator. */
 VM_API void vmi_free_put(vm_scene_body *b, const vm_body *now, vm_real angle, vm_real *state)
 {
     const vmi_mat3 axes = vmi_rotation(now->q);
+    const vm_quat q = vm_unit_quat(now->q);
     b->invertible = vmi_invertible_inertia(&now->inertia);
     vmi_point_body_put(b, now, angle, state);
-    state[VMI_FREE_Q] = vmi_quat_is_none(now->q) ? 1 : now->q.w;
-    state[VMI_FREE_Q + 1] = now->q.x;
-    state[VMI_FREE_Q + 2] = now->q.y;
-    state[VMI_FREE_Q + 3] = now->q.z;
+    state[VMI_FREE_Q] = q.w;
+    state[VMI_FREE_Q + 1] = q.x;
+    state[VMI_FREE_Q + 2] = q.y;
+    state[VMI_FREE_Q + 3] = q.z;
     vmi_set3(state + VMI_FREE_OMEGA, vmi_times_transposed(&axes, now->omega));
 }
 
@@ -287,6 +308,12 @@ VM_API void vmi_free_get(const vm_scene_body *b, const vm_real *state, vm_body *
     now->q = vmi_get_quat(state + VMI_FREE_Q);
     axes = vmi_rotation(now->q);
     now->omega = vmi_times(&axes, vmi_get3(state + VMI_FREE_OMEGA));
+}
+
+VM_API void vmi_free_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
+{
+    const vmi_mat3 axes = vmi_rotation(vmi_get_quat(state + VMI_FREE_Q));
+    b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
 }
 
 /* A body that moves and turns freely in space. *start is its motion at the start. The body may be a rod; its spin about
@@ -301,6 +328,7 @@ VM_API vm_scene_body vm_scene_body_free(const vm_body *start)
     b.start = *start;
     b.put = vmi_free_put;
     b.get = vmi_free_get;
+    b.shift = vmi_free_shift;
     b.accelerate = vmi_free_accelerate;
     b.check = vmi_check_body;
     return b;

@@ -165,22 +165,12 @@ VM_API int vmi_point_is_possible(const vm_scene_body *b, vm_vec3 at)
     return trace * square - vm_dot(at, vmi_inertia_times(&hollow, at)) <= noise * (trace * square);
 }
 
-/* Adds to b->centre the vector `step` (in inertial axes) by which a jump has moved the mass centre of a body, so that
-   the points of the body stay where they are */
-VM_API void vmi_point_shift(vm_scene_body *b, vm_vec3 step, const vm_real *state)
-{
-    const vmi_mat3 axes = vmi_point_axes(b, state);
-    b->centre = vm_add(b->centre, vmi_times_transposed(&axes, step));
-}
-
-/* Checks a point of a body or of the ground, and makes jumps of the body call vmi_point_shift. The bodies must have
-   been checked before. */
+/* Checks a point of a body or of the ground. The bodies must have been checked before. */
 VM_API int vmi_point_check(const vm_scene *s, int body, vm_vec3 at)
 {
     if (!vmi_vec3_is_finite(at)) return VM_NOT_FINITE;
     if (body == VM_GROUND) return VM_OK;
     if (vmi_scene_check_coordinate(s, body, 0)) return VM_NO_SUCH_BODY;
-    s->bodies[body].shift = vmi_point_shift;
     return vmi_point_is_possible(s->bodies + body, at) ? VM_OK : VM_BAD_POINT;
 }
 

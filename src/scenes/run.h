@@ -49,19 +49,22 @@ VM_API int vmi_scene_event_is_due(vm_scene *s, int i, vm_real t, long *times)
 }
 
 /* Applies to y, in the order of the list, each event that is due at the time t. Returns the first status other than
-   VM_OK that an event gives, or VM_OK if all give VM_OK. After an error (a negative status) no further event is
-   applied; the error is returned even if an earlier event has stopped the run. */
+   VM_OK that an event gives, or VM_OK if all give VM_OK. After an error (a negative status) no further action is
+   carried out; crossings that are only counted are counted nevertheless. The error is returned even if an earlier event
+   has stopped the run. */
 VM_API int vmi_scene_fire_events(vm_scene *s, vm_real t, vm_real *y, vmi_scene_pace *pace)
 {
     int i, status = VM_OK;
-    for (i = 0; i < s->n_events && status >= 0; i++) {
+    for (i = 0; i < s->n_events; i++) {
         vm_event *e = s->events + i;
         const vm_real last_time = e->time;
+        const int is_only_counted = e->when && s->located[i].action == ODE_RECORD;
         long times = 1;
         int result = VM_OK;
+        if (status < 0 && !is_only_counted) continue;
         if (!vmi_scene_event_is_due(s, i, t, &times) || (e->most && e->count >= e->most)) continue;
-        if (e->when && s->located[i].action == ODE_RECORD) {
-            e->count += times;
+        if (is_only_counted) {
+            e->count = vmi_count(e->count, times);
             e->time = s->located[i].t;
             continue;
         }
@@ -165,7 +168,6 @@ VM_API int vmi_scene_status_of_ode(int ode_status)
     case ODE_WORK_TOO_SMALL: return VM_BAD_OPTIONS;
     case ODE_NOT_FINITE: return VM_NOT_FINITE;
     case ODE_STEP_TOO_SMALL: return VM_STEP_TOO_SMALL;
-    case ODE_MAX_STEPS: return VM_MAX_STEPS;
     default: return VM_NOT_INTEGRATED;
     }
 }
@@ -195,6 +197,27 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
     }
 }
 
+/* Lets rk45_init keep the fields `quiet` and `slack` of the events, by which the integrator ignores the sign of an
+   event function right after its event. If the last run ended at the time t by one of several events that happen
+   together, the new run could otherwise find the others again. */
+VM_API int vmi_scene_init_integrator(vm_scene *s, rk45 *r, int n, vm_real t, const vm_real *y, vm_real *work,
+                                     const rk45_options *o)
+{
+    int i, status;
+    for (i = 0; i < s->n_events; i++) {
+        ode_event *e = s->located + i;
+        e->past.slack = e->slack;
+        e->past.quiet = e->t == t ? e->quiet : 0;
+    }
+    status = rk45_init(r, vm_scene_rhs, s, n, t, y, o, work);
+    for (i = 0; i < s->n_events && status >= 0; i++) {
+        ode_event *e = s->located + i;
+        e->slack = e->past.slack;
+        e->quiet = e->past.quiet;
+    }
+    return status;
+}
+
 /* Prepares the integrator rk45 for the scene. Each number of a body has the absolute tolerance of the options. Each
    number of the budget has the tolerance VM_MAX, so that only the motion of the bodies determines the size of the
    steps. The tolerances are stored in work, after the numbers of the integrator. */
@@ -205,6 +228,8 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     const int n = vm_scene_size(s), n_bodies = s->budget ? n - VM_BUDGET_STATES : n;
     vm_real *atol = work + RK45_WORK(n);
     int i;
+    if (o.work_size && o.work_size < VM_SCENE_WORK(n)) return VM_BAD_OPTIONS;
+    if (o.rtol == 0) o.rtol = -1; /* no relative tolerance; rk45_init would replace 0 by the default */
     for (i = 0; i < n_bodies; i++) atol[i] = o.atol_each ? o.atol_each[i] : o.atol;
     for (; i < n; i++) atol[i] = VM_MAX;
     o.atol_each = atol;
@@ -212,8 +237,7 @@ VM_API int vmi_scene_integrator(vm_scene *s, rk45 *r, vm_real t, const vm_real *
     o.n_events = s->n_events;
     if (!vmi_all_finite(n, y)) return VM_NOT_FINITE;
     vmi_scene_keep_crossings(s);
-    s->ode_status = rk45_init(r, vm_scene_rhs, s, n, t, y, &o, work);
-    r->attempts = o.max_steps;
+    s->ode_status = vmi_scene_init_integrator(s, r, n, t, y, work, &o);
     if (s->ode_status < 0) return vmi_scene_status_of_ode(s->ode_status);
     return VM_OK;
 }
@@ -222,6 +246,7 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
 {
     int size;
     if (!vmi_scene_has_lists(s) || !vmi_scene_is_list(s->n_events, s->events)) return VM_BAD_ARGUMENT;
+    if (!vmi_scene_is_list(s->n_events, s->located)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(*t) || !VM_IS_FINITE(t_end)) return VM_NOT_FINITE;
     if (t_end < *t) return VM_BAD_TIMES;
     if (!vmi_scene_is_started(s)) return VM_NOT_STARTED;
@@ -241,13 +266,16 @@ VM_API int vmi_scene_check_run(const vm_scene *s, const vm_real *t, vm_real t_en
      VM_BAD_TIMES          if t_end < *t;
      VM_NOT_STARTED        if the scene was not started;
      VM_SHORT_ARRAY        if scene.y_size or scene.work_size is set and too small;
-     VM_BAD_OPTIONS        if rk45 does not accept the options;
+     VM_BAD_OPTIONS        if rk45 does not accept the options, or options.work_size is set and too small;
    or an error that ends the run:
      VM_BAD_MASS, VM_BAD_INERTIA, VM_NO_EFFECTIVE_MASS
                            if a mass or an inertia reached 0, even if the steps became too short just before;
      VM_NOT_FINITE         if an effect, a law or an event gave an infinite number or NaN;
      the status of a vm_law                   if this law failed;
      VM_SINGULAR           if a link, a joint or a spring between points cannot act;
+     VM_BAD_ARGUMENT, VM_NO_SUCH_BODY
+                           if a function of vm_effect_varying, or a call of vm_scene_push_at, has a wrong argument;
+     another status        that a function of vm_effect_custom wrote to scene.status;
      VM_TOO_MANY_EVENTS    if events do not end: more than 10 000 events happen at one instant, or four times in
                            succession the time between two crossings of the same event is less than
                            256 VM_EPSILON max(|*t|, |t_end|);

@@ -47,7 +47,7 @@
 #define VARMASS_SCENES_SCENE_H
 
 #include "../base/real.h"
-#include "../integrators/runs.h"
+#include "../integrators/options.h"
 #include "../mechanics/bodies.h"
 #include "../mechanics/inertia.h"
 #include "../mechanics/streams.h"
@@ -119,7 +119,7 @@ struct VM_TAG(vm_scene_body) {
     int listed_orders;      /* bit (1 << order) for the `order` of each effect on the body that is checked so far */
     int status;             /* VM_OK, or the reason why the constructor could not make the body */
     vm_real noted_mass;     /* kg: the mass that the body must have after an event */
-    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* NULL, or adds `step` to `centre` */
+    void (*shift)(vm_scene_body *b, vm_vec3 step, const vm_real *state); /* adds `step` to `centre`; may be NULL */
 };
 
 /* Function of the caller that writes position (m), velocity (m/s) and acceleration (m/s^2) of a point at time t */
@@ -254,8 +254,9 @@ typedef struct VM_TAG(vm_budget) vm_budget;
    since the start, and the defects, which are the differences. vm_scene_keep_budget makes a scene keep a budget, and
    vm_scene_budget_at computes it. */
 struct VM_TAG(vm_budget) {
-    vm_vec3 impulse;          /* N s: sum of the impulses of effects and of the external impulses of jumps */
-    vm_vec3 angular_impulse;  /* N m s, about the origin: angular impulse of effects and external impulses of jumps */
+    vm_vec3 impulse;          /* N s: sum of the impulses of effects, of the external impulses of jumps, and of the
+                                 impulses of landings and of joints at the ground */
+    vm_vec3 angular_impulse;  /* N m s, about the origin: sum of the angular impulses that belong to `impulse` */
     vm_vec3 brought;          /* N s: momentum that streams and mass laws brought to the bodies */
     vm_vec3 brought_angular;  /* N m s, about the origin: angular momentum that streams and mass laws have brought */
     vm_real work;             /* J: work of the effects, without reactive forces */

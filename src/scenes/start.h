@@ -14,7 +14,7 @@
 
 #include "../base/real.h"
 #include "../base/status.h"
-#include "../integrators/runs.h"
+#include "../integrators/options.h"
 #include "check.h"
 #include "evaluate.h"
 #include "scene.h"

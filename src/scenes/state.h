@@ -12,7 +12,7 @@
 
 #include "../base/real.h"
 #include "../base/status.h"
-#include "../integrators/runs.h"
+#include "../integrators/rk45.h"
 #include "../mechanics/bodies.h"
 #include "../mechanics/vectors.h"
 #include "scene.h"
