@@ -8887,9 +8887,10 @@ VM_API void vmi_osc_wave_differences(const vmi_osc_wave *w, vm_real pi, vm_real 
    (291)-(296) and by Jacobi's cn (297)-(307), with their errors (268). The shortest useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
-   The functions return or write NaN for alpha < 0 and for infinite arguments. If a pointer to an output is null,
-   nothing is written. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A is the amplitude, psi
-   the Ateb phase, Om the rate of psi.
+   The functions return or write NaN for alpha < 0 and for infinite arguments. The two functions that find the phase of
+   a state, vm_osc_amplitude_phase and vm_osc_exact_from, also write NaN for omega0 = 0 and for alpha > 1e30. If a
+   pointer to an output is null, nothing is written. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s.
+   Symbols: A is the amplitude, psi the Ateb phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -8926,6 +8927,7 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
 {
     const vm_real rate = vmi_osc_rate(x0, omega0, alpha);
     if (rate != rate) return rate;
+    if (omega0 == 0) return 0; /* the power of |x0| may be infinite */
     return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha + 1) / 2);
 }
 
@@ -8942,6 +8944,7 @@ VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha
 {
     if (!vmi_osc_alpha_is_valid(alpha)) return VM_NAN;
     if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(omega0)) return VM_NAN;
+    if (omega0 == 0) return v * v / 2; /* the power of |x| may be infinite */
     return v * v / 2 + omega0 * omega0 * vmi_pow_checked(VM_FABS(x), alpha + 1) / (alpha + 1);
 }
 
@@ -9327,7 +9330,11 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
     status = vmi_first_error(status, vmi_law_derivatives(law, if_not_positive, t, 1, 0, f));
-    if (law->validate) status = vmi_first_error(status, law->validate(law, if_not_positive, t));
+    if (law->validate) {
+        const int invalid = law->validate(law, if_not_positive, t);
+        if (invalid == VM_DOMAIN && law->time) return invalid; /* where times do not rise, the value at t may be NaN */
+        status = vmi_first_error(status, invalid);
+    }
     return status;
 }
 
@@ -9365,8 +9372,8 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon; at the last point it is within 4 eps of the larger of the
-   last two values. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
+   the value in the table, where eps is the machine epsilon; at the last point it is within 8 eps of the larger of the
+   last two |values|. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
    pointers and for a law that no constructor made; VM_NOT_FINITE where t or a result is infinite or NaN; VM_DOMAIN for
    t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function fails; VM_OK otherwise. An
    error leaves *f and *rate untouched. */
@@ -9426,7 +9433,9 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
 /* The integral of dt/f from 0 to t for a linear law f = f0 + f1 t */
 VM_API vm_real vmi_law_linear_inverse_integral(const vm_law *law, vm_real t)
 {
-    return t * vmi_log_ratio(law->f1 / law->f0 * t) / law->f0;
+    const vm_real x = law->f1 / law->f0 * t; /* f(t)/f0 - 1; it may round to -1 where f(t) is small, but positive */
+    if (x < VM_C(-0.5)) return vmi_log((law->f0 + law->f1 * t) / law->f0).hi / law->f1;
+    return t * vmi_log_ratio(x) / law->f0;
 }
 
 /* Linear law f = f0 + f1 t (346); a constant where f1 = 0. f0 is the value at t = 0, f1 the rate per second, for
@@ -9459,28 +9468,34 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     vm_real f[VMI_LAW_ORDERS], lowest;
     if (!(law->f2 > 0)) return VM_OK;
     lowest = -law->f1 / (2 * law->f2);
-    if (!(lowest * t > 0 && VM_FABS(lowest) < VM_FABS(t))) return VM_OK;
+    if (!((lowest > 0) == (t > 0) && VM_FABS(lowest) < VM_FABS(t))) return VM_OK;
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
 /* The exponential form of a quadratic law. This form exists only if the law is a square within rounding errors: f0 (1 +
-   base t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if the form exists, else 0. */
+   base t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if the form exists, else 0. The law is a square
+   if f1^2 = 4 f0 f2. Powers of two scale the products in this equation, so that they neither overflow nor underflow. */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
-    const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
+    const vm_real size = vmi_power_below(law->f0), slope = vmi_power_below(VM_FABS(law->f1));
+    const vm_real f1 = law->f1 / slope, square = f1 * f1;
+    const vm_real rest = square - 4 * (law->f0 / size) * (law->f2 / slope * size / slope);
     *rate = law->f1 / law->f0;
     *base = *rate / 2;
     return VM_FABS(rest) <= 4 * VM_EPSILON * square;
 }
 
 /* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and d = sqrt|D| the
-   integral is (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. */
+   integral is (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. It is computed for f and t in units that
+   are powers of two, so that no product overflows or underflows. */
 VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
 {
-    const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
-    const vm_real y = VM_SQRT(VM_FABS(D)) * VM_FABS(t), s = y / x;
-    if (D < 0 && y > 0) return 2 * t / y * ateb_phase(y, x, 1);
-    return 2 * t / x * vmi_log_ratio(2 * s / (1 - s)) / (1 - s);
+    const vm_real size = vmi_power_below(law->f0), unit = vmi_power_below(VM_FABS(t)), way = t / unit;
+    const vm_real f0 = law->f0 / size, f1 = law->f1 * unit / size, f2 = law->f2 * unit * unit / size;
+    const vm_real D = f1 * f1 - 4 * f0 * f2, x = 2 * f0 + f1 * way;
+    const vm_real y = VM_SQRT(VM_FABS(D)) * VM_FABS(way), s = y / x;
+    if (D < 0 && y > 0) return 2 * way / y * ateb_phase(y, x, 1) * unit / size;
+    return 2 * way / x * vmi_log_ratio(2 * s / (1 - s)) / (1 - s) * unit / size;
 }
 
 /* Quadratic law f = f0 + f1 t + f2 t^2. f0 has the unit of f, f1 this unit per second, f2 this unit per second
@@ -9855,9 +9870,10 @@ typedef struct VM_TAG(vm_osc_problem) {
 /* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87 give the amplitude that belongs to x and v. All other
-                          routes leave out the ripple of first order; the ripple is the swing of the amplitude within a
-                          period, which damping and slow changes of mass and stiffness cause */
+    vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87, and with a force collocation, give the amplitude
+                          that belongs to x and v. All other routes leave out the ripple of first order; the ripple is
+                          the swing of the amplitude within a period, which damping and slow changes of mass and
+                          stiffness cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
                           velocity at the amplitude A; it includes all causes of errors */
     int route;         /* the route by which x and v were computed, VM_ROUTE_... */
@@ -10060,8 +10076,8 @@ VM_API int vmi_law_is_constant(const vm_law *law, vm_real *f)
     return 1;
 }
 
-/* Writes what vmi_osc_rates_at writes. In addition it writes the time derivative of the rate p to *p_rate, or 0 if mass
-   or stiffness is a function of the user. */
+/* Writes what vmi_osc_rates_at writes, but the field k_rate is not valid. In addition it writes the time derivative of
+   the rate p to *p_rate, or 0 if mass or stiffness is a function of the user. */
 VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r, vm_real *p_rate)
 {
     const vm_real share = 1 / (o->alpha + 3);
@@ -10084,6 +10100,12 @@ VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side,
     a_rate = o->reactive * m[2] * per_m - r->a * m_rate;
     *p_rate = ((k[2] * per_k - k_rate * k_rate) + 2 * a_rate - (m[2] * per_m - m_rate * m_rate)) * share;
     return VM_OK;
+}
+
+/* The time of the next point of a law's table after `from` on the way to t, or t if there is no such point */
+VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
+{
+    return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
@@ -10721,11 +10743,11 @@ VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, c
 
 /* -- What the law of order five leaves out -- */
 
-/* The sizes of the terms of weight w, for w = 2 to 6. J[w] is the size of the terms in vmi_expansion_J, and psi[w] the
-   size of the terms in vmi_expansion_psi. psi[6] contains only the term with E_4. The terms of weight w are of order
-   epsilon^w, where epsilon is the relative change of mass and stiffness within a radian of the phase. */
+/* The sizes of the terms of weight w. J[w], for w = 2 to 6, is the size of the terms in vmi_expansion_J, and psi[w],
+   for w = 2 to 5, the size of the terms in vmi_expansion_psi. The terms of weight w are of order epsilon^w, where
+   epsilon is the relative change of mass and stiffness within a radian of the phase. */
 typedef struct VM_TAG(vmi_expansion_sizes) {
-    vm_real J[7], psi[7];
+    vm_real J[7], psi[6];
 } vmi_expansion_sizes;
 
 /* Writes the sizes of all terms to *size, where e[k] is the absolute value of E_k = G_k/W^(k+2). */
@@ -10737,7 +10759,7 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     for (w = 2; w <= 6; w++) {
         size->J[w] = e[w - 2] * power;
         power *= d;
-        size->psi[w] = VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power;
+        if (w < 6) size->psi[w] = VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power;
     }
     size->J[4] += square / 2 * e[0] * e[0];
     size->J[5] += square * e[0] * e[1] * d;
@@ -11068,7 +11090,7 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
    accurate. c->error is valid for times between 0 and t_end. The time t_end, s, may have either sign. Afterwards *c
    does not need the problem any more. After an error *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
-     VM_NOT_FINITE for a number that is infinite or NaN,
+     VM_NOT_FINITE for a number that is infinite or NaN, and for alpha > 1e30 unless x and v are 0,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end,
      VM_DOMAIN for alpha < 0, for a law that has no value at 0 or t_end, and for a table or a change_time that is not
        valid,
@@ -11305,9 +11327,10 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
 /* Makes a plan, by which the motion of one problem is computed for many values of t. The functions
    vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the plan. The problem is copied; its tables and what
    ctx points to must exist as long as the plan is used. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers and for a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS
-   or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at t = 0 or in a table, and VM_DOMAIN for alpha <
-   0, for a table whose times do not rise or do not contain t = 0, and where the user's function of a law fails. */
+   null pointers and for a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN and for
+   alpha > 1e30, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at t = 0 or in a table,
+   and VM_DOMAIN for alpha < 0, for a table whose times do not rise or do not contain t = 0, and where the user's
+   function of a law fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;
@@ -11629,22 +11652,23 @@ VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm
     return status;
 }
 
-/* Computes the integral of f/g dt from 0 to t in closed form. Returns 1 if there is a closed form, else 0. There is one
-   if f is constant and the integral of 1/g has a closed form, or if f and g have exponential forms with the same base
-   (see vmi_law_exponential_form). */
+/* Computes the integral of f/g dt from 0 to t in closed form. Returns 1 if there is a closed form whose value is
+   finite, else 0. There is a closed form if f is constant and the integral of 1/g has one, or if f and g have
+   exponential forms with the same base (see vmi_law_exponential_form). Its value may be NaN where f changes its
+   sign. */
 VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     vm_real base, rate, base_g, rate_g, u;
     if (!(f->f0 != 0) || !vmi_law_exponential_form(f, &base, &rate)) return 0;
     if (rate == 0 && g->inverse_integral) {
         *integral = f->f0 * g->inverse_integral(g, t);
-        return 1;
+        return VM_IS_FINITE(*integral);
     }
     if (!vmi_law_exponential_form(g, &base_g, &rate_g)) return 0;
     if (base != base_g && rate_g != 0) return 0;
     u = t * vmi_log_ratio(base * t);
     *integral = f->f0 / g->f0 * u * vmi_exp_ratio((base + rate - rate_g) * u);
-    return 1;
+    return VM_IS_FINITE(*integral);
 }
 
 /* Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0.
@@ -11692,10 +11716,11 @@ enum { VMI_WALK_ORDERS = 7 };
    the action stays constant, the amplitude is A = A0 exp(ln_A), and the rate of the phase is `ratio` times the rate at
    t = 0. A0 is the amplitude at t = 0. J is the action. */
 typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_slow now;      /* mass, stiffness and the numbers G_k just before t, or for t < 0 just after t */
+    vmi_osc_slow now;      /* mass, stiffness and the numbers G_k just before t, or for t < 0 just after t; where closed
+                              forms are used, only its field p belongs to t */
     vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
     vm_real ln_A, ratio;   /* ln(A/A0), and (phase rate at t)/(phase rate at t = 0), by the adiabatic law */
-    vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
+    vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg; 0 where closed forms are used and near time 0 */
     vm_real phase;         /* the integral of `ratio` over time from 0 to t, s */
     vm_real psi;           /* the mean phase */
     vm_real ln_J;          /* ln of (mean action at t)/(mean action at t = 0); it changes only at points of tables */
@@ -11725,13 +11750,12 @@ VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, 
     *ln_Om = ((1 - g) * ln_k - (1 + g * r) * ln_m) / 2 - g * decay;
 }
 
-/* The mean motion at t = 0 of the oscillator for which the plan was made */
+/* The mean motion at t = 0 of the oscillator for which the plan was made; only the numbers E_k are not written */
 VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
 {
     vmi_osc_mean mean;
     int i;
     mean.now = p->slow;
-    vmi_osc_disturbance(&p->slow, p->mean.W, mean.E);
     mean.ln_A = 0;
     mean.ratio = 1;
     mean.inverse_mass = 0;
@@ -12047,7 +12071,7 @@ VM_API int vmi_osc_walk_along(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mea
     int status = vmi_osc_walk_start(p, t, mean);
     mean->shortest = longest;
     while (!status && at != t) {
-        const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
+        const vm_real next = vmi_osc_next_knot(&p->problem, at, t);
         status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);
         at = next;
         if (!status && at != t) status = vmi_osc_walk_past_knot(p, at, side, mean);
@@ -12090,28 +12114,17 @@ VM_API int vmi_osc_walk_to(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     vmi_osc_closed_now now;
-    vm_real power;
-    int i;
     vmi_osc_closed_mean_at(&p->closed_mean, t, &now);
     *mean = vmi_osc_mean_at_0(p);
     mean->ln_A = now.ln_A;
     mean->ratio = now.ratio;
-    mean->inverse_mass = now.u / p->m0;
     mean->phase = now.phase;
     mean->first = now.first;
     mean->psi = now.state.psi;
     mean->third = vmi_osc_closed_third(&p->closed_mean, &now, &p->ripple);
-    mean->now.m = p->m0 * vmi_exp(p->laws.rate_m * now.u, 0);
-    mean->now.k = p->k0 * vmi_exp(p->laws.rate_k * now.u, 0);
-    mean->now.a = p->slow.a / now.el;
     mean->now.p = p->slow.p / now.el;
     vmi_osc_closed_disturbance_at(&p->closed_mean, &now, VMI_OSC_G, mean->E);
     mean->largest = vmi_larger(mean->largest, VM_FABS(mean->E[0]));
-    power = 1 / now.el;
-    for (i = 0; i < VMI_OSC_G; i++) {
-        power /= now.el;
-        mean->now.G[i] = p->slow.G[i] * power;
-    }
 }
 
 /* Computes the mean motion at a time t so close to 0 that mass and stiffness do not change between 0 and t. The same
@@ -12119,7 +12132,6 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
 VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const int status = vmi_osc_walk_start(p, t, mean);
-    mean->inverse_mass = t / p->m0;
     mean->phase = t;
     mean->psi += p->mean.W * t;
     return status;
@@ -12129,10 +12141,15 @@ VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *me
    laws of mass and stiffness (oscillators/walk.h). */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, the laws change only by
-                                                   rounding errors */
-    const int near_0 = !p->closed && p->Om * VM_FABS(t) < too_short;
-    int status = VM_OK;
+    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, a change of the laws that
+                                                   does not last has no effect */
+    int near_0 = !p->closed && p->Om * VM_FABS(t) < too_short, status = VM_OK;
+    vmi_osc_rates now;
+    if (near_0) { /* mass or stiffness may change even in so short a time */
+        status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t), &now);
+        if (status) return status;
+        near_0 = VM_FABS(now.m / p->m0 - 1) + VM_FABS(now.k / p->k0 - 1) < too_short;
+    }
     if (near_0 || !vmi_osc_has_phase(p)) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);
@@ -12424,11 +12441,12 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     const vm_real n = p->problem.alpha + 1, V = 2 * at->A * at->Om / n, q = (n + 2) * at->now.p;
     const vm_real side = (vm_real)vmi_time_side(at->t_end);
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
+    vm_real start = at->t - side * (2 * p->ripple.pi / at->Om); /* start of the period */
     int i;
+    if ((start < 0) != (at->t_end < 0)) start = 0; /* there is no force before time 0 */
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
         const vm_real way = 2 * p->ripple.pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
-        vm_real ca, sa, F, time = at->t + side * (way - 2 * p->ripple.pi) / at->Om;
-        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* there is no force before the start */
+        vm_real ca, sa, F, time = start + side * way / at->Om;
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
         vmi_osc_wave_at(&w, at->psi + side * way, &ca, &sa);
@@ -12751,10 +12769,7 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 /* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods from now */
 VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period)
 {
-    const vm_osc_problem *o = &c->plan->problem;
-    const vm_real stretch = 64 * period;
-    vm_real stop = vmi_law_next_knot(&o->mass, c->s.t, t);
-    stop = vmi_law_next_knot(&o->stiffness, c->s.t, stop);
+    const vm_real stretch = 64 * period, stop = vmi_osc_next_knot(&c->plan->problem, c->s.t, t);
     if (VM_FABS(stop - c->s.t) > stretch) return c->s.t + (vm_real)c->side * stretch;
     return stop;
 }
@@ -12816,7 +12831,7 @@ VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
         vmi_osc_wave_at(&c->wave, y[VMI_OSC_PSI], &ca, &sa);
         return vmi_osc_motion_of(&c->wave, A, Om, ca, sa, 0, c->route, motion);
     }
-    weight = vmi_pow_checked(now.m / p->m0, p->problem.reactive);
+    weight = vmi_osc_reactive_weight(&p->problem, now.m / p->m0);
     motion->x = p->A * y[VMI_OSC_X];
     motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[VMI_OSC_V] / weight;
     vm_osc_amplitude_phase(motion->x, motion->v, VM_SQRT(now.k / now.m), p->problem.alpha, &motion->amplitude,
@@ -13152,6 +13167,10 @@ VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
    with
      E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
+   There x and x' + p x define A and psi. If x and x' define A and psi, the exact equations are
+     (ln A)' = -(q sa + 2 f) sa/(alpha+1),   psi' = W - (q/2 sa + f) ca,   q = (alpha+3) p.
+   With a force a run uses these equations (by_velocity), so that a force that jumps where x' = 0, such as dry friction,
+   jumps where sa = 0, where two steps meet. Without a force it uses the equations with E, which is small.
    sa and ca are the Ateb sine and cosine of psi, m is the mass, alpha the exponent of the spring, and V the largest
    velocity. p is the slow rate at which ln A decreases, a is (reactive m' + b)/m with the damping b, and W is the rate
    of psi for constant mass and stiffness. The equations are solved with psi as the independent variable: each step
@@ -13166,8 +13185,8 @@ VM_API void vmi_gauss_rule_grade(vmi_gauss_rule *rule)
    varies like ca^2 and sa ca. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
    ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So the errors of Gauss' rule in these
    integrals are known, and each step corrects them. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
-   force there are no closed forms. If a force acts and alpha is less than 3 and not 1, the nodes lie closer together at
-   the ends of the steps (vmi_gauss_rule_grade).
+   force there are no closed forms; a half period then has two steps, which meet where sa = 0. If a force acts and alpha
+   is less than 3 and not 1, the nodes lie closer together at the ends of the steps (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
        vmi_osc_course_start(&c, &plan, &reduced, 1, 4, 1, VM_C(1e-12)); // the vm_osc_plan plan, reduced at t = 0
@@ -13208,6 +13227,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vmi_gauss_rule rule;
     int side;              /* 1 forward, -1 backward in time */
     int parts;             /* number of parts of a half period, 1 or 2 */
+    int by_velocity;       /* 1 if x and x' define amplitude and phase, 0 if x and V = x' + p x define them */
     vm_real stop;          /* time, s, at which a step must end: a point of a table or the end of the run. Mass and
                               stiffness are not evaluated beyond it */
     vm_real longest;       /* the longest step, s */
@@ -13217,7 +13237,8 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real A;             /* amplitude, m; only set for problems with a force */
     vm_real Om;            /* rate of the phase, 1/s, at this amplitude with the mass and stiffness at time 0 */
     vm_real t_low;         /* the exact time is t + t_low, s */
-    vm_real left;          /* sum of the errors of the phase that the iterations of all steps leave */
+    vm_real left;          /* an upper bound of the sum of the errors of the phase that the iterations of all steps
+                              leave */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                 /* sa, ca and `misses` for each part of a half period */
@@ -13308,9 +13329,9 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
 }
 
 /* Returns 1 if the nodes must lie closer together at the ends of a step (vmi_gauss_rule_grade), else 0. With a force
-   that depends on the velocity, the rates contain d^(alpha+1), where d is the distance from a zero of x. For most alpha
-   this is no integer power, so the rates are not smooth at d = 0. From alpha = 3 on the power is so high that the
-   errors of the rule are small enough. */
+   the rates contain sa^2, and often other functions of the velocity. Therefore they contain d^(alpha+1), where d is the
+   distance from a zero of x. For most alpha this is no integer power, so the rates are not smooth at d = 0. From alpha
+   = 3 on the power is so high that the errors of the rule are small enough. */
 VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
@@ -13354,28 +13375,39 @@ VM_API vm_real vmi_osc_exp_of_change(vm_real x)
     return low + xx * xx * (middle + xx * xx * high);
 }
 
-/* Writes the derivatives of ln A and t with respect to the phase at node i, and E = (p^2 - a p - p')/W^2 at this
-   node. */
+/* Writes the derivatives of ln A and t with respect to the phase at node i, and E = (p^2 - a p - p')/W^2 at this node.
+   E is 0 if c->by_velocity is 1, since the equations then do not contain it. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_step_node *at,
                                 vm_real *ln_A_by_psi, vm_real *t_by_psi, vm_real *E)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
     const vm_real least_rate = VM_C(0.03); /* if psi'/W is below this number, the motion is no vibration */
+    const vm_real most_fast = 8; /* if |p| + |a| is more than W times this number, mass or stiffness change so fast that
+                                    the motion is no vibration, unless t is so near 0 that the change has no effect */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vmi_osc_rates *now = &at->now;
     const vm_real omega_ratio = VM_SQRT((now->k / plan->k0) / (now->m / plan->m0));
     const vm_real W = c->Om * omega_ratio * vmi_osc_exp_of_change((o->alpha - 1) / 2 * at->moved.ln_A);
+    const vm_real fast = VM_FABS(now->p) + VM_FABS(now->a);
     vm_real rate, ln_A_rate;
     *E = (now->p * (now->p - now->a) - at->p_rate) / (W * W);
     rate = 1 + n / 2 * *E * ca * ca;
     ln_A_rate = -now->p + W * *E * sa * ca;
+    if (c->by_velocity) {
+        const vm_real q = (n + 2) * now->p;
+        *E = 0;
+        rate = 1 - q / 2 * sa * ca / W;
+        ln_A_rate = -q / n * sa * sa;
+    }
     if (o->force) {
         const vm_real A = c->A * vmi_osc_exp_of_change(at->moved.ln_A), V = 2 * A * W / n, x = A * ca;
-        const vm_real f = o->force(at->t, x, -V * sa - now->p * x, o->ctx) / (now->m * V);
+        const vm_real v = c->by_velocity ? -V * sa : -V * sa - now->p * x;
+        const vm_real f = o->force(at->t, x, v, o->ctx) / (now->m * V);
         rate -= f * ca / W;
         ln_A_rate -= 2 / n * f * sa;
     }
+    if (!(fast <= most_fast * W) && !(fast / W * (fast * VM_FABS(at->t)) <= VM_EPSILON)) return VM_NOT_INTEGRATED;
     *t_by_psi = 1 / (W * rate);
     *ln_A_by_psi = ln_A_rate * *t_by_psi;
     if (!(rate > least_rate) || !VM_IS_FINITE(*t_by_psi) || !VM_IS_FINITE(*ln_A_by_psi)) return VM_NOT_INTEGRATED;
@@ -13596,21 +13628,26 @@ VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
    vmi_osc_predict extrapolates the rates of the next step over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
-    const int terms = c->known[part] < VMI_HISTORY ? c->known[part] + 1 : VMI_HISTORY;
+    const int known = c->known[part];
     int i, k;
     vmi_step_rates *difference = c->difference[part];
     for (i = 0; i < c->rule.n; i++) {
         vm_real ln_A = rates->ln_A[i], t = rates->t[i];
-        for (k = 0; k < terms; k++) {
+        for (k = 0; k < known; k++) {
             vmi_keep_and_subtract(&difference[k].ln_A[i], &ln_A);
             vmi_keep_and_subtract(&difference[k].t[i], &t);
+        }
+        if (known < VMI_HISTORY) {
+            difference[known].ln_A[i] = ln_A;
+            difference[known].t[i] = t;
         }
     }
     for (i = 0; i < 2; i++) {
         vm_real E = rates->E[i];
-        for (k = 0; k < terms; k++) vmi_keep_and_subtract(&difference[k].E[i], &E);
+        for (k = 0; k < known; k++) vmi_keep_and_subtract(&difference[k].E[i], &E);
+        if (known < VMI_HISTORY) difference[known].E[i] = E;
     }
-    c->known[part] = terms;
+    if (known < VMI_HISTORY) c->known[part] = known + 1;
 }
 
 /* -- A step that ends at a given time -- */
@@ -13644,7 +13681,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
 
 /* Makes a step that ends at c->stop. This step replaces the longer step `beyond`, which would go past c->stop.
    `certain` is 0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than
-   `beyond`, the run stays unchanged, since no step may cross a zero of x. */
+   `beyond`, phase, amplitude and time of the run stay unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -13663,14 +13700,15 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
     s.rates.E[0] = beyond->rates.E[0];
     s.rates.E[1] = beyond->rates.E[1];
     for (attempt = 0; attempt < rounds; attempt++) {
-        vm_real missing;
+        vm_real missing, largest = 1; /* the largest |d ln A/dpsi|, but at least 1 */
         vmi_osc_course_waves(c, c->psi, s.length, &waves);
         vmi_osc_complete_step(c, &s);
         status = vmi_osc_iterate(c, &s);
         if (status == VM_NOT_INTEGRATED && !certain) return VM_OK;
         if (status) return status;
         missing = (way - s.whole.t) / s.rates.t[c->rule.n - 1];
-        if (VM_FABS(missing) <= c->sweep_limit) break;
+        for (i = 0; i < c->rule.n; i++) largest = vmi_larger(VM_FABS(s.rates.ln_A[i]), largest);
+        if (VM_FABS(missing) * largest <= c->sweep_limit) break;
         s.length += missing;
     }
     if (!certain && VM_FABS(s.length) > VM_FABS(beyond->length)) return VM_OK;
@@ -13769,7 +13807,8 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
 }
 
 /* Starts a run at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
-   period. `side` is 1 for a run forward in time, -1 for a run backward. */
+   period. `side` is 1 for a run forward in time, -1 for a run backward. With a force x and x' must define amplitude and
+   phase, unless the caller sets c->by_velocity to 0 after this call. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
 {
@@ -13782,6 +13821,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     if (vmi_osc_needs_grading(&plan->problem)) vmi_gauss_rule_grade(&c->rule);
     c->side = side;
     c->parts = parts;
+    c->by_velocity = plan->problem.force != NULL;
     c->sweep_limit = sweep_limit;
     c->stop = 0;
     c->longest = VM_INFINITY;
@@ -13817,12 +13857,6 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
 #define VARMASS_OSCILLATORS_COLLOCATION_H
 
 /* -- Two runs side by side -- */
-
-/* The time of the next point of a law's table after `from` on the way to t, or t if there is no such point */
-VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
-{
-    return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
-}
 
 /* Advances both runs to the time t, which is a point of a law's table or the end. At the ends of steps the function
    compares the two runs: the absolute difference of their phases and that of their ln A are added. *difference becomes
@@ -13965,8 +13999,8 @@ typedef struct VM_TAG(vmi_osc_pair_run) {
 } vmi_osc_pair_run;
 
 /* Sets amplitude and phase at t from the strict run. Before the call r->error is the error of ln A and of the phase;
-   after the call r->error is the error of x and v. The error of x and v is larger, because v = -2/(alpha+1) W A sa - p
-   x also contains the error of x. */
+   after the call r->error is the error of x and v. Without a force this error is larger, because v = -2/(alpha+1) W A
+   sa - p x also contains the error of x. With a force v = -2/(alpha+1) W A sa. */
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
@@ -13975,7 +14009,7 @@ VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run
     r->state.psi = strict->psi;
     r->state.A = plan->A * vmi_exp(strict->ln_A, 0);
     r->state.W = plan->Om * vmi_osc_Om_ratio(plan, &r->now, strict->ln_A);
-    r->error *= 1 + (plan->problem.alpha + 1) / 2 * VM_FABS(r->now.p / r->state.W);
+    if (!plan->problem.force) r->error *= 1 + (plan->problem.alpha + 1) / 2 * VM_FABS(r->now.p / r->state.W);
     return VM_OK;
 }
 
@@ -13992,7 +14026,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     if (status) return status;
     start.m = r->now.m;
     start.k = r->now.k;
-    start.p = r->now.p;
+    start.p = plan->problem.force ? 0 : r->now.p; /* with a force V is x' (oscillators/course.h) */
     r->state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
     vmi_osc_course_start(&loose, plan, &r->state, side, points.loose, points.parts, looser * r->sweep_limit);
     vmi_osc_course_start(strict, plan, &r->state, side, points.strict, points.parts, r->sweep_limit);
@@ -14021,7 +14055,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     const vm_real knots = (vm_real)(o->mass.n + o->stiffness.n);
     const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
     const vm_real share = 4 * steps; /* the iterations of all steps may together cause an error of a quarter of the
-                                        tolerance */
+                                        tolerance, or of half of it if a half period has two parts */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
     vmi_osc_pair_run r;
     vm_osc_motion result;
@@ -14049,7 +14083,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         i = vmi_osc_next_pair(o, i, r.error, tolerance);
     }
     vmi_osc_wave_at(&r.strict.wave, r.state.psi, &ca, &sa);
-    vmi_osc_unreduce(&r.state, r.now.p, o->alpha, sa, ca, &result.x, &result.v);
+    vmi_osc_unreduce(&r.state, o->force ? 0 : r.now.p, o->alpha, sa, ca, &result.x, &result.v);
     result.amplitude = r.state.A;
     result.error = r.error;
     result.route = route;
@@ -17953,6 +17987,7 @@ VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_o
     exact.problem.force = vmi_vdp_force;
     exact.problem.ctx = &c;
     vmi_osc_course_start(&course, &exact, r, side, nodes, 2, 16 * VM_EPSILON);
+    course.by_velocity = 0; /* the force is smooth, and the mean motion starts from x and x' + p x */
     course.t = t;
     for (i = 0; i < most_steps; i++) {
         course.stop = vmi_osc_next_knot(&exact.problem, course.t, VM_COPYSIGN(VM_INFINITY, (vm_real)side));
@@ -21429,6 +21464,7 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     long found = 0, i, last;
     if (!motion || !vmi_samples_are_possible(kind, room, samples)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(step)) return VM_NOT_FINITE;
+    if ((t1 > t0 && step < 0) || (t1 < t0 && step > 0)) return VM_NOT_FINITE;
     intervals = -VM_FLOOR(-(t1 - t0) / step);
     if (!(intervals >= 0) || !(intervals < most_steps)) return VM_NOT_FINITE;
     last = (long)intervals;
@@ -21515,13 +21551,13 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_
     return worst;
 }
 
-/* Adiabaticity q/Om of an oscillator at time t and amplitude A. This quotient is the small parameter of averaging.
-   q = ((2r-1) m' + 2 b)/m + k'/k is the rate at which mass, damping and stiffness change the motion, with r = reactive,
-   b = damping, mass m and stiffness k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses
-   only alpha, mass, stiffness, reactive and damping of the problem. For a motion that starts at rest, errors of
-   amplitude laws are of order (q/Om)^2; errors of x(t) and v(t) are of order q/Om up to t = 1/q. The result is within 4
-   eps. Returns NaN for a null pointer; where A, mass or stiffness is not positive; where alpha is negative; and for
-   numbers that are infinite or NaN. */
+/* Adiabaticity q/Om of an oscillator at time t and amplitude A. This quotient is the small parameter of averaging. q =
+   ((2r-1) m' + 2 b)/m + k'/k is the rate at which mass, damping and stiffness change the motion, with r = reactive, b =
+   damping, mass m and stiffness k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses only
+   alpha, mass, stiffness, reactive and damping of the problem. For a motion that starts at rest, errors of amplitude
+   laws are of order (q/Om)^2; errors of x(t) and v(t) are of order q/Om up to t = 1/q. The error is within 4 eps of
+   (|2r-1| |m'|/m + 2 |b|/m + |k'|/k)/Om. Returns NaN for a null pointer; where A, mass or stiffness is not positive;
+   where alpha is negative; and for numbers that are infinite or NaN. */
 VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 {
     if (!o) return VM_NAN;

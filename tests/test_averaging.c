@@ -948,6 +948,40 @@ static void test_slow_growth(void)
     }
 }
 
+/* If less than a period has passed since time 0, the period for which rates are compared begins at time 0; else it ends
+   at t. Its times rise evenly. */
+static void test_times_of_a_period(void)
+{
+    static const double parts[] = {0, 0.25, 0.75, 1.25, 2};
+    static vm_osc_plan plan;
+    asked all;
+    vm_osc_problem o = problem(1, vm_law_linear(1, 0), 1, 0);
+    int i, k, side;
+    o.force = asking_force;
+    o.ctx = &all;
+    all.n = 0;
+    CHECK(vm_osc_plan_init(&plan, &o) == VM_OK);
+    for (i = 0; i < 5; i++)
+        for (side = -1; side <= 1; side += 2) {
+            const double period = 2 * pi, start = side * fmax(parts[i] - 1, 0) * period;
+            vm_real rate_A[VMI_AVERAGING_POINTS], rate_psi[VMI_AVERAGING_POINTS];
+            vmi_osc_moment at;
+            at.plan = &plan;
+            CHECK(vmi_osc_rates_at(&o, 0, 1, &at.now) == VM_OK);
+            at.t = R(side * parts[i] * period);
+            at.t_end = R(side * 3 * period);
+            at.A = 1;
+            at.psi = 0;
+            at.Om = 1;
+            all.n = 0;
+            vmi_osc_period_rates(&at, 0, rate_A, rate_psi);
+            CHECK(all.n == VMI_AVERAGING_POINTS);
+            for (k = 0; k < all.n; k++)
+                check_error("times of a period", "", "eps",
+                            fabs(all.t[k] - start - side * period * k / VMI_AVERAGING_POINTS) / eps, 100, parts[i], k);
+        }
+}
+
 int main(void)
 {
     test_invariant();
@@ -962,6 +996,7 @@ int main(void)
     test_means();
     test_averages();
     test_states_of_a_period();
+    test_times_of_a_period();
     test_means_of_cn();
     test_measured_exponents();
     test_damping_alone();

@@ -522,6 +522,15 @@ static void test_bad_motions(void)
     CHECK(isnan(x) && isnan(v));
 }
 
+/* Without a spring the body has no largest velocity and its energy is that of its motion, even where |x|^(alpha+1)
+   overflows. */
+static void test_no_spring(void)
+{
+    const vm_real far = R(by_precision(1e200, 1e30));
+    CHECK(vm_osc_vmax(far, 0, 3) == 0 && vm_osc_vmax(1, 0, 3) == 0);
+    CHECK(vm_osc_energy(far, 1, 0, 3) == R(0.5) && vm_osc_energy(1, 1, 0, 3) == R(0.5));
+}
+
 int main(void)
 {
     test_energy();
@@ -542,6 +551,7 @@ int main(void)
     test_velocity_of_cn();
     test_approximate_motions();
     test_limits();
+    test_no_spring();
     test_bad_numbers();
     test_bad_motions();
     return check_finish("constant_mass");

@@ -162,12 +162,23 @@ static void test_adiabaticity(void)
     CHECK(is_nan(vm_adiabaticity(&bad, 0, 1)));
 }
 
+/* A step of the wrong sign is refused, even if it is longer than the interval. */
+static void test_wrong_steps(void)
+{
+    vm_sample found[4];
+    CHECK(vm_find_samples(cosine_motion, NULL, VM_TURNING_POINTS, 1, 4, -5, 4, found) == VM_NOT_FINITE);
+    CHECK(vm_find_samples(cosine_motion, NULL, VM_TURNING_POINTS, 4, 1, 5, 4, found) == VM_NOT_FINITE);
+    CHECK(vm_find_samples(cosine_motion, NULL, VM_TURNING_POINTS, 1, 4, 5, 4, found) == 1);
+    CHECK(vm_find_samples(cosine_motion, NULL, VM_TURNING_POINTS, 4, 1, -5, 4, found) == 1);
+}
+
 int main(void)
 {
     test_turning_points();
     test_zero_crossings();
     test_points_of_a_run();
     test_bad_input();
+    test_wrong_steps();
     test_envelope_of_no_number();
     test_envelopes();
     test_adiabaticity();

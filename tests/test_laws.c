@@ -96,6 +96,20 @@ static void test_tables(void)
     CHECK(vm_law_at(&law, times[4], &f, &rate) == VM_OK && (values[5] > values[4] || rate == 0));
 }
 
+/* At the last point of a table, rounding errors of the last two values, which may have any sign, are left. */
+static void test_last_points(void)
+{
+    vm_real times[4] = {0, 0, 0, 0}, values[4], f = 0, rate;
+    const vm_law law = vm_law_table(4, times, values);
+    int i, k;
+    for (i = 0; i < 2000; i++) {
+        for (k = 1; k < 4; k++) times[k] = times[k - 1] + R(uniform(0.1, 2));
+        for (k = 0; k < 4; k++) values[k] = R(uniform(-1, 1) * pow(10, uniform(-3, 3)));
+        CHECK(vm_law_at(&law, times[3], &f, &rate) == VM_OK);
+        CHECK(fabs((double)(f - values[3])) <= 8 * eps * fmax(fabs((double)values[2]), fabs((double)values[3])));
+    }
+}
+
 static double inverse_integral(vm_law law, double t)
 {
     vm_real integral = 0;
@@ -212,12 +226,77 @@ static void test_null_pointers(void)
     CHECK(vm_law_inverse_integral(&law, 1, NULL) == VM_BAD_ARGUMENT);
 }
 
+/* Quadratic laws whose products f1 f1 and f0 f2 underflow or overflow have the integrals of the same laws in another
+   unit. */
+static void test_quadratic_units(void)
+{
+    const double units[] = {by_precision(1e-170, 1e-23), by_precision(1e170, 1e23), 1};
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double f0 = (double)R(units[i]);
+        const vm_law law = vm_law_quadratic(R(f0), R(f0), R(f0)), valley = vm_law_quadratic(R(f0), R(-3 * f0), R(f0));
+        vm_real base, rate, integral = 7;
+        near("int dt/m", "small, quadratic", inverse_integral(law, 1) * f0, pi / (3 * sqrt(3)), 1e-14);
+        near("int dt/m", "small, quadratic", inverse_integral(vm_law_quadratic(R(f0), 3 * R(f0), R(f0)), 1) * f0,
+             log((5 + sqrt(5)) / (5 - sqrt(5))) / sqrt(5), 1e-14);
+        CHECK(vmi_law_exponential_form(&law, &base, &rate) == 0);
+        CHECK(vm_law_inverse_integral(&valley, 3, &integral) == VM_BAD_MASS && integral == 7); /* f(1.5) < 0 */
+        CHECK(vm_law_inverse_integral(&valley, -1, &integral) == VM_OK);
+    }
+    for (i = 0; i < 2; i++) { /* units of time */
+        const double s = (double)R(i ? by_precision(1e150, 1e18) : by_precision(1e-150, 1e-18));
+        const vm_law law = vm_law_quadratic(1, R(1 / s), R(1 / s / s));
+        vm_real integral = 7;
+        CHECK(vm_law_inverse_integral(&law, R(s), &integral) == VM_OK);
+        near("int dt/m", "small, quadratic", (double)integral / s, pi / (3 * sqrt(3)), 1e-14);
+    }
+}
+
+/* The lowest value of f lies at so short a time that its square underflows. */
+static void test_short_valley(void)
+{
+    const vm_real unit = R(by_precision(1e-170, 1e-25)), size = R(by_precision(1e-50, 1e-15));
+    const vm_law valley = vm_law_quadratic(size, -3 * size / unit, size / unit / unit);
+    vm_real integral = 7;
+    CHECK(vm_law_inverse_integral(&valley, 3 * unit, &integral) == VM_BAD_MASS && integral == 7);
+}
+
+/* A linear law that is almost 0 at t, where (f1/f0) t may round to -1 */
+static void test_almost_empty(void)
+{
+    int i;
+    for (i = 0; i < 300; i++) {
+        const vm_law law = vm_law_linear(R(uniform(0.2, 2)), R(uniform(-2, -0.2)));
+        vm_real t = -law.f0 / law.f1 * (1 + 2 * VM_EPSILON), f = 0, rate = 0, integral = 0;
+        while (f <= 0) {
+            t *= 1 - VM_EPSILON;
+            CHECK(vm_law_at(&law, t, &f, &rate) == VM_OK);
+        }
+        CHECK(vm_law_inverse_integral(&law, t, &integral) == VM_OK);
+        near("int dt/m", "almost empty", (double)integral, log((double)(f / law.f0)) / (double)law.f1, 1e-13);
+    }
+}
+
+/* Two equal times in a table are refused with VM_DOMAIN, even where the value at t is NaN. */
+static void test_equal_times(void)
+{
+    vm_real times[4] = {0, 1, 1, 2}, values[4] = {1, 2, 2, 3}, integral = 7;
+    const vm_law law = vm_law_table(4, times, values);
+    CHECK(vm_law_inverse_integral(&law, R(1.5), &integral) == VM_DOMAIN && integral == 7);
+    refuses_mass(law, 1.5, VM_DOMAIN);
+}
+
 int main(void)
 {
     test_closed_laws();
     test_tables();
+    test_last_points();
     test_limits();
     test_subnormal_times();
+    test_quadratic_units();
+    test_short_valley();
+    test_almost_empty();
+    test_equal_times();
     test_not_positive();
     test_flat_ends();
     test_bad_tables();

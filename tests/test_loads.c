@@ -283,6 +283,22 @@ static void test_ratio_integral_cases(void)
     CHECK(vm_law_ratio_integral(&table, &one, 8, &integral) == VM_DOMAIN && integral == 7);
 }
 
+/* f changes its sign between 0 and t, or is almost 0 at time 0: the closed form, which divides by f, is not finite there,
+   and Gauss' rule takes over. */
+static void test_ratio_integral_of_any_sign(void)
+{
+    const vm_law falling = vm_law_linear(1, -1), square = vm_law_quadratic(1, -2, 1), two = vm_law_linear(2, 0);
+    const vm_law rising = vm_law_linear(R(by_precision(1e-200, 1e-30)), 1), one = vm_law_linear(1, 0);
+    vm_real integral = 7;
+    CHECK(vm_law_ratio_integral(&falling, &two, 2, &integral) == VM_OK && VM_FABS(integral) <= 4 * VM_EPSILON);
+    CHECK(vm_law_ratio_integral(&falling, &two, 3, &integral) == VM_OK);
+    check_error("int f/g", "f changes its sign", "rel", fabs((double)integral / -0.75 - 1), by_precision(1e-14, 2e-6), 3, 0);
+    CHECK(vm_law_ratio_integral(&square, &two, 2, &integral) == VM_OK);
+    check_error("int f/g", "f changes its sign", "rel", fabs((double)integral * 3 - 1), by_precision(1e-14, 2e-6), 2, 0);
+    CHECK(vm_law_ratio_integral(&rising, &one, 1, &integral) == VM_OK);
+    check_error("int f/g", "f almost 0", "rel", fabs((double)integral * 2 - 1), by_precision(1e-14, 2e-6), 1, 0);
+}
+
 int main(void)
 {
     test_bessel();
@@ -295,5 +311,6 @@ int main(void)
     test_refusals();
     test_ratio_integral();
     test_ratio_integral_cases();
+    test_ratio_integral_of_any_sign();
     return check_finish("loads");
 }

@@ -530,6 +530,9 @@ static void test_endless(void)
     o.v = 0;
     CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 4 * VM_MIN * VM_EPSILON, R(1e-4), &m) == VM_OK);
     check_error("no time", "x", "eps", fabs((double)(m.x - o.x)) / (1e-3 * eps), 8, 7, 0); /* the least estimate of an error */
+    /* later the change of the mass, which is faster than that of the phase, has an effect */
+    CHECK(vm_osc_by_route(&o, VM_ROUTE_COLLOCATION, 1, R(1e-4), &m) == VM_NOT_INTEGRATED);
+    CHECK(vm_osc_within(&o, 1, R(1e-4), &m) == VM_OK && VM_FABS(m.x - o.x) <= R(1e-7));
 }
 
 /* ---- With a force ---- */
@@ -947,6 +950,20 @@ static void test_bad_calls(void)
     CHECK(strcmp(vm_osc_route_name(99), "unknown route") == 0);
 }
 
+/* While the phase grows by less than rounding errors, the mass doubles, and the velocity falls by half. */
+static void test_quick_change(void)
+{
+    vm_real times[4] = {0, R(by_precision(1e-4, 0.01)), R(by_precision(2e-4, 0.02)), 1}, masses[4] = {1, 1, 2, 2};
+    const vm_real t = R(by_precision(3e-4, 0.025));
+    vm_osc_problem o = problem(1, vm_law_table(4, times, masses), 1, 0);
+    vm_osc_motion m;
+    o.stiffness = vm_law_linear(R(by_precision(1e-20, 1e-6)), 0);
+    o.x = 0;
+    o.v = 1;
+    CHECK(vm_osc_within(&o, t, R(1e-3), &m) == VM_OK);
+    check_error("quick change", "v", "tol", fabs((double)m.v - 0.5) / 1e-3, 1, (double)t, 0);
+}
+
 int main(void)
 {
     test_stated_errors();
@@ -973,6 +990,7 @@ int main(void)
     test_many_periods();
     test_extreme_orders();
     test_short_times();
+    test_quick_change();
     test_units_of_time();
     test_no_phase();
     test_not_slow();

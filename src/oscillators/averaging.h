@@ -145,11 +145,12 @@ VM_API void vmi_osc_period_rates(const vmi_osc_moment *at, int frozen, vm_real *
     const vm_real n = p->problem.alpha + 1, V = 2 * at->A * at->Om / n, q = (n + 2) * at->now.p;
     const vm_real side = (vm_real)vmi_time_side(at->t_end);
     const vmi_osc_wave w = vmi_osc_wave_of(p, VM_ROUTE_ATEB);
+    vm_real start = at->t - side * (2 * p->ripple.pi / at->Om); /* start of the period */
     int i;
+    if ((start < 0) != (at->t_end < 0)) start = 0; /* there is no force before time 0 */
     for (i = 0; i < VMI_AVERAGING_POINTS; i++) {
         const vm_real way = 2 * p->ripple.pi * (vm_real)i / (vm_real)VMI_AVERAGING_POINTS;
-        vm_real ca, sa, F, time = at->t + side * (way - 2 * p->ripple.pi) / at->Om;
-        if ((time < 0) != (at->t_end < 0)) time = side * way / at->Om; /* there is no force before the start */
+        vm_real ca, sa, F, time = start + side * way / at->Om;
         if (VM_FABS(time) > VM_FABS(at->t_end)) time = at->t_end;
         if (frozen) time = at->t;
         vmi_osc_wave_at(&w, at->psi + side * way, &ca, &sa);

@@ -277,7 +277,7 @@ VMI_APART void vmi_osc_closed_begin(vm_osc_closed *c, int order, const vmi_osc_c
    accurate. c->error is valid for times between 0 and t_end. The time t_end, s, may have either sign. Afterwards *c
    does not need the problem any more. After an error *c is unchanged. The errors are
      VM_BAD_ARGUMENT for null pointers, an order outside 2 to 5, and a law that no constructor made,
-     VM_NOT_FINITE for a number that is infinite or NaN,
+     VM_NOT_FINITE for a number that is infinite or NaN, and for alpha > 1e30 unless x and v are 0,
      VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at 0 or t_end,
      VM_DOMAIN for alpha < 0, for a law that has no value at 0 or t_end, and for a table or a change_time that is not
        valid,

@@ -13,7 +13,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "averaging.h"
 #include "course.h"
@@ -25,12 +24,6 @@
 #include "waves.h"
 
 /* -- Two runs side by side -- */
-
-/* The time of the next point of a law's table after `from` on the way to t, or t if there is no such point */
-VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
-{
-    return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
-}
 
 /* Advances both runs to the time t, which is a point of a law's table or the end. At the ends of steps the function
    compares the two runs: the absolute difference of their phases and that of their ln A are added. *difference becomes
@@ -173,8 +166,8 @@ typedef struct VM_TAG(vmi_osc_pair_run) {
 } vmi_osc_pair_run;
 
 /* Sets amplitude and phase at t from the strict run. Before the call r->error is the error of ln A and of the phase;
-   after the call r->error is the error of x and v. The error of x and v is larger, because v = -2/(alpha+1) W A sa - p
-   x also contains the error of x. */
+   after the call r->error is the error of x and v. Without a force this error is larger, because v = -2/(alpha+1) W A
+   sa - p x also contains the error of x. With a force v = -2/(alpha+1) W A sa. */
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
@@ -183,7 +176,7 @@ VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run
     r->state.psi = strict->psi;
     r->state.A = plan->A * vmi_exp(strict->ln_A, 0);
     r->state.W = plan->Om * vmi_osc_Om_ratio(plan, &r->now, strict->ln_A);
-    r->error *= 1 + (plan->problem.alpha + 1) / 2 * VM_FABS(r->now.p / r->state.W);
+    if (!plan->problem.force) r->error *= 1 + (plan->problem.alpha + 1) / 2 * VM_FABS(r->now.p / r->state.W);
     return VM_OK;
 }
 
@@ -200,7 +193,7 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     if (status) return status;
     start.m = r->now.m;
     start.k = r->now.k;
-    start.p = r->now.p;
+    start.p = plan->problem.force ? 0 : r->now.p; /* with a force V is x' (oscillators/course.h) */
     r->state = vmi_osc_reduce(&start, plan->problem.alpha, plan->problem.x, plan->problem.v);
     vmi_osc_course_start(&loose, plan, &r->state, side, points.loose, points.parts, looser * r->sweep_limit);
     vmi_osc_course_start(strict, plan, &r->state, side, points.strict, points.parts, r->sweep_limit);
@@ -229,7 +222,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     const vm_real knots = (vm_real)(o->mass.n + o->stiffness.n);
     const vm_real steps = 2 + plan->Om * VM_FABS(t) / plan->ripple.pi + knots;
     const vm_real share = 4 * steps; /* the iterations of all steps may together cause an error of a quarter of the
-                                        tolerance */
+                                        tolerance, or of half of it if a half period has two parts */
     const vm_real most_half_periods = VM_C(1073741824.); /* 2^30 */
     vmi_osc_pair_run r;
     vm_osc_motion result;
@@ -257,7 +250,7 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
         i = vmi_osc_next_pair(o, i, r.error, tolerance);
     }
     vmi_osc_wave_at(&r.strict.wave, r.state.psi, &ca, &sa);
-    vmi_osc_unreduce(&r.state, r.now.p, o->alpha, sa, ca, &result.x, &result.v);
+    vmi_osc_unreduce(&r.state, o->force ? 0 : r.now.p, o->alpha, sa, ca, &result.x, &result.v);
     result.amplitude = r.state.A;
     result.error = r.error;
     result.route = route;

@@ -7,9 +7,10 @@
    (291)-(296) and by Jacobi's cn (297)-(307), with their errors (268). The shortest useful calls:
        vm_real T = vm_osc_period(2, 1, VM_C(1.5)), x, v; // x'' = -x|x|^0.5 from x = 2 at rest
        vm_osc_exact(T / 8, 2, 1, VM_C(1.5), &x, &v);
-   The functions return or write NaN for alpha < 0 and for infinite arguments. If a pointer to an output is null,
-   nothing is written. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s. Symbols: A is the amplitude, psi
-   the Ateb phase, Om the rate of psi.
+   The functions return or write NaN for alpha < 0 and for infinite arguments. The two functions that find the phase of
+   a state, vm_osc_amplitude_phase and vm_osc_exact_from, also write NaN for omega0 = 0 and for alpha > 1e30. If a
+   pointer to an output is null, nothing is written. With x in metres the unit of omega0 is metre^((1-alpha)/2)/s.
+   Symbols: A is the amplitude, psi the Ateb phase, Om the rate of psi.
    Tests: tests/test_constant_mass.c. */
 #ifndef VARMASS_OSCILLATORS_CONSTANT_MASS_H
 #define VARMASS_OSCILLATORS_CONSTANT_MASS_H
@@ -55,6 +56,7 @@ VM_API vm_real vm_osc_vmax(vm_real x0, vm_real omega0, vm_real alpha)
 {
     const vm_real rate = vmi_osc_rate(x0, omega0, alpha);
     if (rate != rate) return rate;
+    if (omega0 == 0) return 0; /* the power of |x0| may be infinite */
     return VM_SQRT(2 / (alpha + 1)) * VM_FABS(omega0) * vmi_pow_checked(VM_FABS(x0), (alpha + 1) / 2);
 }
 
@@ -71,6 +73,7 @@ VM_API vm_real vm_osc_energy(vm_real x, vm_real v, vm_real omega0, vm_real alpha
 {
     if (!vmi_osc_alpha_is_valid(alpha)) return VM_NAN;
     if (!VM_IS_FINITE(x) || !VM_IS_FINITE(v) || !VM_IS_FINITE(omega0)) return VM_NAN;
+    if (omega0 == 0) return v * v / 2; /* the power of |x| may be infinite */
     return v * v / 2 + omega0 * omega0 * vmi_pow_checked(VM_FABS(x), alpha + 1) / (alpha + 1);
 }
 

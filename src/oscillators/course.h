@@ -4,6 +4,10 @@
      (ln A)' = -p + W E sa ca - 2/(alpha+1) f sa,   psi' = W (1 + (alpha+1)/2 E ca^2) - f ca,
    with
      E = (p^2 - a p - p')/W^2,   f = F/(m V),   V = 2 A W/(alpha+1).
+   There x and x' + p x define A and psi. If x and x' define A and psi, the exact equations are
+     (ln A)' = -(q sa + 2 f) sa/(alpha+1),   psi' = W - (q/2 sa + f) ca,   q = (alpha+3) p.
+   With a force a run uses these equations (by_velocity), so that a force that jumps where x' = 0, such as dry friction,
+   jumps where sa = 0, where two steps meet. Without a force it uses the equations with E, which is small.
    sa and ca are the Ateb sine and cosine of psi, m is the mass, alpha the exponent of the spring, and V the largest
    velocity. p is the slow rate at which ln A decreases, a is (reactive m' + b)/m with the damping b, and W is the rate
    of psi for constant mass and stiffness. The equations are solved with psi as the independent variable: each step
@@ -18,8 +22,8 @@
    varies like ca^2 and sa ca. A polynomial through few nodes approximates the slow functions well, but not ca^2 and sa
    ca. The integrals of ca^2 and sa ca have closed forms (oscillators/ripple.h). So the errors of Gauss' rule in these
    integrals are known, and each step corrects them. Then 2 or 3 nodes per step are enough for errors of 1e-8. With a
-   force there are no closed forms. If a force acts and alpha is less than 3 and not 1, the nodes lie closer together at
-   the ends of the steps (vmi_gauss_rule_grade).
+   force there are no closed forms; a half period then has two steps, which meet where sa = 0. If a force acts and alpha
+   is less than 3 and not 1, the nodes lie closer together at the ends of the steps (vmi_gauss_rule_grade).
        vmi_osc_course c;
        int status;
        vmi_osc_course_start(&c, &plan, &reduced, 1, 4, 1, VM_C(1e-12)); // the vm_osc_plan plan, reduced at t = 0
@@ -30,13 +34,10 @@
 #ifndef VARMASS_OSCILLATORS_COURSE_H
 #define VARMASS_OSCILLATORS_COURSE_H
 
-#include "../ateb/plans.h"
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "gauss_rule.h"
-#include "laws.h"
 #include "legendre.h"
 #include "plan.h"
 #include "problem.h"
@@ -74,6 +75,7 @@ typedef struct VM_TAG(vmi_osc_course) {
     vmi_gauss_rule rule;
     int side;              /* 1 forward, -1 backward in time */
     int parts;             /* number of parts of a half period, 1 or 2 */
+    int by_velocity;       /* 1 if x and x' define amplitude and phase, 0 if x and V = x' + p x define them */
     vm_real stop;          /* time, s, at which a step must end: a point of a table or the end of the run. Mass and
                               stiffness are not evaluated beyond it */
     vm_real longest;       /* the longest step, s */
@@ -83,7 +85,8 @@ typedef struct VM_TAG(vmi_osc_course) {
     vm_real A;             /* amplitude, m; only set for problems with a force */
     vm_real Om;            /* rate of the phase, 1/s, at this amplitude with the mass and stiffness at time 0 */
     vm_real t_low;         /* the exact time is t + t_low, s */
-    vm_real left;          /* sum of the errors of the phase that the iterations of all steps leave */
+    vm_real left;          /* an upper bound of the sum of the errors of the phase that the iterations of all steps
+                              leave */
     vm_real contraction;   /* factor by which a round of the iteration reduces its error */
     vm_real rate;          /* rate of the phase at the end of the last step, 1/s */
     vmi_step_waves waves[2];                 /* sa, ca and `misses` for each part of a half period */
@@ -174,9 +177,9 @@ VM_API void vmi_osc_course_waves(const vmi_osc_course *c, vm_real from, vm_real 
 }
 
 /* Returns 1 if the nodes must lie closer together at the ends of a step (vmi_gauss_rule_grade), else 0. With a force
-   that depends on the velocity, the rates contain d^(alpha+1), where d is the distance from a zero of x. For most alpha
-   this is no integer power, so the rates are not smooth at d = 0. From alpha = 3 on the power is so high that the
-   errors of the rule are small enough. */
+   the rates contain sa^2, and often other functions of the velocity. Therefore they contain d^(alpha+1), where d is the
+   distance from a zero of x. For most alpha this is no integer power, so the rates are not smooth at d = 0. From alpha
+   = 3 on the power is so high that the errors of the rule are small enough. */
 VM_API int vmi_osc_needs_grading(const vm_osc_problem *o) { return o->force && o->alpha < 3 && o->alpha != 1; }
 
 /* -- Rates and changes -- */
@@ -220,28 +223,39 @@ VM_API vm_real vmi_osc_exp_of_change(vm_real x)
     return low + xx * xx * (middle + xx * xx * high);
 }
 
-/* Writes the derivatives of ln A and t with respect to the phase at node i, and E = (p^2 - a p - p')/W^2 at this
-   node. */
+/* Writes the derivatives of ln A and t with respect to the phase at node i, and E = (p^2 - a p - p')/W^2 at this node.
+   E is 0 if c->by_velocity is 1, since the equations then do not contain it. */
 VM_API int vmi_osc_course_rates(const vmi_osc_course *c, const vmi_osc_step *s, int i, const vmi_step_node *at,
                                 vm_real *ln_A_by_psi, vm_real *t_by_psi, vm_real *E)
 {
     const vm_osc_plan *plan = c->plan;
     const vm_osc_problem *o = &plan->problem;
     const vm_real least_rate = VM_C(0.03); /* if psi'/W is below this number, the motion is no vibration */
+    const vm_real most_fast = 8; /* if |p| + |a| is more than W times this number, mass or stiffness change so fast that
+                                    the motion is no vibration, unless t is so near 0 that the change has no effect */
     const vm_real n = o->alpha + 1, sa = s->sign * s->waves->sa[i], ca = s->sign * s->waves->ca[i];
     const vmi_osc_rates *now = &at->now;
     const vm_real omega_ratio = VM_SQRT((now->k / plan->k0) / (now->m / plan->m0));
     const vm_real W = c->Om * omega_ratio * vmi_osc_exp_of_change((o->alpha - 1) / 2 * at->moved.ln_A);
+    const vm_real fast = VM_FABS(now->p) + VM_FABS(now->a);
     vm_real rate, ln_A_rate;
     *E = (now->p * (now->p - now->a) - at->p_rate) / (W * W);
     rate = 1 + n / 2 * *E * ca * ca;
     ln_A_rate = -now->p + W * *E * sa * ca;
+    if (c->by_velocity) {
+        const vm_real q = (n + 2) * now->p;
+        *E = 0;
+        rate = 1 - q / 2 * sa * ca / W;
+        ln_A_rate = -q / n * sa * sa;
+    }
     if (o->force) {
         const vm_real A = c->A * vmi_osc_exp_of_change(at->moved.ln_A), V = 2 * A * W / n, x = A * ca;
-        const vm_real f = o->force(at->t, x, -V * sa - now->p * x, o->ctx) / (now->m * V);
+        const vm_real v = c->by_velocity ? -V * sa : -V * sa - now->p * x;
+        const vm_real f = o->force(at->t, x, v, o->ctx) / (now->m * V);
         rate -= f * ca / W;
         ln_A_rate -= 2 / n * f * sa;
     }
+    if (!(fast <= most_fast * W) && !(fast / W * (fast * VM_FABS(at->t)) <= VM_EPSILON)) return VM_NOT_INTEGRATED;
     *t_by_psi = 1 / (W * rate);
     *ln_A_by_psi = ln_A_rate * *t_by_psi;
     if (!(rate > least_rate) || !VM_IS_FINITE(*t_by_psi) || !VM_IS_FINITE(*ln_A_by_psi)) return VM_NOT_INTEGRATED;
@@ -462,21 +476,26 @@ VM_API void vmi_keep_and_subtract(vm_real *kept, vm_real *value)
    vmi_osc_predict extrapolates the rates of the next step over the same part (first or second) of a half period. */
 VM_API void vmi_osc_remember(vmi_osc_course *c, int part, const vmi_step_rates *rates)
 {
-    const int terms = c->known[part] < VMI_HISTORY ? c->known[part] + 1 : VMI_HISTORY;
+    const int known = c->known[part];
     int i, k;
     vmi_step_rates *difference = c->difference[part];
     for (i = 0; i < c->rule.n; i++) {
         vm_real ln_A = rates->ln_A[i], t = rates->t[i];
-        for (k = 0; k < terms; k++) {
+        for (k = 0; k < known; k++) {
             vmi_keep_and_subtract(&difference[k].ln_A[i], &ln_A);
             vmi_keep_and_subtract(&difference[k].t[i], &t);
+        }
+        if (known < VMI_HISTORY) {
+            difference[known].ln_A[i] = ln_A;
+            difference[known].t[i] = t;
         }
     }
     for (i = 0; i < 2; i++) {
         vm_real E = rates->E[i];
-        for (k = 0; k < terms; k++) vmi_keep_and_subtract(&difference[k].E[i], &E);
+        for (k = 0; k < known; k++) vmi_keep_and_subtract(&difference[k].E[i], &E);
+        if (known < VMI_HISTORY) difference[known].E[i] = E;
     }
-    c->known[part] = terms;
+    if (known < VMI_HISTORY) c->known[part] = known + 1;
 }
 
 /* -- A step that ends at a given time -- */
@@ -510,7 +529,7 @@ VM_API vm_real vmi_osc_find_part(const vmi_osc_course *c, const vmi_osc_step *s,
 
 /* Makes a step that ends at c->stop. This step replaces the longer step `beyond`, which would go past c->stop.
    `certain` is 0 if the end of `beyond` is only a prediction. If in this case the step to c->stop is longer than
-   `beyond`, the run stays unchanged, since no step may cross a zero of x. */
+   `beyond`, phase, amplitude and time of the run stay unchanged, since no step may cross a zero of x. */
 VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certain)
 {
     const int rounds = 6;
@@ -529,14 +548,15 @@ VM_API int vmi_osc_land(vmi_osc_course *c, const vmi_osc_step *beyond, int certa
     s.rates.E[0] = beyond->rates.E[0];
     s.rates.E[1] = beyond->rates.E[1];
     for (attempt = 0; attempt < rounds; attempt++) {
-        vm_real missing;
+        vm_real missing, largest = 1; /* the largest |d ln A/dpsi|, but at least 1 */
         vmi_osc_course_waves(c, c->psi, s.length, &waves);
         vmi_osc_complete_step(c, &s);
         status = vmi_osc_iterate(c, &s);
         if (status == VM_NOT_INTEGRATED && !certain) return VM_OK;
         if (status) return status;
         missing = (way - s.whole.t) / s.rates.t[c->rule.n - 1];
-        if (VM_FABS(missing) <= c->sweep_limit) break;
+        for (i = 0; i < c->rule.n; i++) largest = vmi_larger(VM_FABS(s.rates.ln_A[i]), largest);
+        if (VM_FABS(missing) * largest <= c->sweep_limit) break;
         s.length += missing;
     }
     if (!certain && VM_FABS(s.length) > VM_FABS(beyond->length)) return VM_OK;
@@ -635,7 +655,8 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
 }
 
 /* Starts a run at t = 0 from the amplitude and phase in *start, with n points per step and `parts` parts per half
-   period. `side` is 1 for a run forward in time, -1 for a run backward. */
+   period. `side` is 1 for a run forward in time, -1 for a run backward. With a force x and x' must define amplitude and
+   phase, unless the caller sets c->by_velocity to 0 after this call. */
 VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, const vmi_osc_reduced *start, int side,
                                  int n, int parts, vm_real sweep_limit)
 {
@@ -648,6 +669,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     if (vmi_osc_needs_grading(&plan->problem)) vmi_gauss_rule_grade(&c->rule);
     c->side = side;
     c->parts = parts;
+    c->by_velocity = plan->problem.force != NULL;
     c->sweep_limit = sweep_limit;
     c->stop = 0;
     c->longest = VM_INFINITY;

@@ -78,6 +78,7 @@ VM_API long vm_find_samples(vm_motion_function motion, void *ctx, int kind, vm_r
     long found = 0, i, last;
     if (!motion || !vmi_samples_are_possible(kind, room, samples)) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(step)) return VM_NOT_FINITE;
+    if ((t1 > t0 && step < 0) || (t1 < t0 && step > 0)) return VM_NOT_FINITE;
     intervals = -VM_FLOOR(-(t1 - t0) / step);
     if (!(intervals >= 0) || !(intervals < most_steps)) return VM_NOT_FINITE;
     last = (long)intervals;
@@ -164,13 +165,13 @@ VM_API vm_real vm_envelope_error(int kind, long n, const vm_sample *samples, vm_
     return worst;
 }
 
-/* Adiabaticity q/Om of an oscillator at time t and amplitude A. This quotient is the small parameter of averaging.
-   q = ((2r-1) m' + 2 b)/m + k'/k is the rate at which mass, damping and stiffness change the motion, with r = reactive,
-   b = damping, mass m and stiffness k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses
-   only alpha, mass, stiffness, reactive and damping of the problem. For a motion that starts at rest, errors of
-   amplitude laws are of order (q/Om)^2; errors of x(t) and v(t) are of order q/Om up to t = 1/q. The result is within 4
-   eps. Returns NaN for a null pointer; where A, mass or stiffness is not positive; where alpha is negative; and for
-   numbers that are infinite or NaN. */
+/* Adiabaticity q/Om of an oscillator at time t and amplitude A. This quotient is the small parameter of averaging. q =
+   ((2r-1) m' + 2 b)/m + k'/k is the rate at which mass, damping and stiffness change the motion, with r = reactive, b =
+   damping, mass m and stiffness k. Om is the rate of the Ateb phase at the amplitude A, in m. The function uses only
+   alpha, mass, stiffness, reactive and damping of the problem. For a motion that starts at rest, errors of amplitude
+   laws are of order (q/Om)^2; errors of x(t) and v(t) are of order q/Om up to t = 1/q. The error is within 4 eps of
+   (|2r-1| |m'|/m + 2 |b|/m + |k'|/k)/Om. Returns NaN for a null pointer; where A, mass or stiffness is not positive;
+   where alpha is negative; and for numbers that are infinite or NaN. */
 VM_API vm_real vm_adiabaticity(const vm_osc_problem *o, vm_real t, vm_real A)
 {
     if (!o) return VM_NAN;

@@ -30,7 +30,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "reduction.h"
 #include "ripple.h"
 
@@ -152,11 +151,11 @@ VM_API vmi_osc_reduced vmi_expansion_from_mean(const vmi_ripple *r, int order, c
 
 /* -- What the law of order five leaves out -- */
 
-/* The sizes of the terms of weight w, for w = 2 to 6. J[w] is the size of the terms in vmi_expansion_J, and psi[w] the
-   size of the terms in vmi_expansion_psi. psi[6] contains only the term with E_4. The terms of weight w are of order
-   epsilon^w, where epsilon is the relative change of mass and stiffness within a radian of the phase. */
+/* The sizes of the terms of weight w. J[w], for w = 2 to 6, is the size of the terms in vmi_expansion_J, and psi[w],
+   for w = 2 to 5, the size of the terms in vmi_expansion_psi. The terms of weight w are of order epsilon^w, where
+   epsilon is the relative change of mass and stiffness within a radian of the phase. */
 typedef struct VM_TAG(vmi_expansion_sizes) {
-    vm_real J[7], psi[7];
+    vm_real J[7], psi[6];
 } vmi_expansion_sizes;
 
 /* Writes the sizes of all terms to *size, where e[k] is the absolute value of E_k = G_k/W^(k+2). */
@@ -168,7 +167,7 @@ VM_API void vmi_expansion_find_sizes(const vmi_ripple *r, const vm_real *e, vmi_
     for (w = 2; w <= 6; w++) {
         size->J[w] = e[w - 2] * power;
         power *= d;
-        size->psi[w] = VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power;
+        if (w < 6) size->psi[w] = VM_FABS(1 - (vm_real)w * r->gamma) * e[w - 2] * power;
     }
     size->J[4] += square / 2 * e[0] * e[0];
     size->J[5] += square * e[0] * e[1] * d;

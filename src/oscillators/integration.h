@@ -180,10 +180,7 @@ VM_API vm_real vmi_osc_period_now(const vmi_osc_run *c)
 /* The time at which the run stops next on its way to t: the next point of a table, but at most 64 periods from now */
 VM_API vm_real vmi_osc_next_stop(const vmi_osc_run *c, vm_real t, vm_real period)
 {
-    const vm_osc_problem *o = &c->plan->problem;
-    const vm_real stretch = 64 * period;
-    vm_real stop = vmi_law_next_knot(&o->mass, c->s.t, t);
-    stop = vmi_law_next_knot(&o->stiffness, c->s.t, stop);
+    const vm_real stretch = 64 * period, stop = vmi_osc_next_knot(&c->plan->problem, c->s.t, t);
     if (VM_FABS(stop - c->s.t) > stretch) return c->s.t + (vm_real)c->side * stretch;
     return stop;
 }
@@ -245,7 +242,7 @@ VM_API int vmi_osc_motion_now(const vmi_osc_run *c, vm_osc_motion *motion)
         vmi_osc_wave_at(&c->wave, y[VMI_OSC_PSI], &ca, &sa);
         return vmi_osc_motion_of(&c->wave, A, Om, ca, sa, 0, c->route, motion);
     }
-    weight = vmi_pow_checked(now.m / p->m0, p->problem.reactive);
+    weight = vmi_osc_reactive_weight(&p->problem, now.m / p->m0);
     motion->x = p->A * y[VMI_OSC_X];
     motion->v = 2 * p->A * p->Om / (p->problem.alpha + 1) * y[VMI_OSC_V] / weight;
     vm_osc_amplitude_phase(motion->x, motion->v, VM_SQRT(now.k / now.m), p->problem.alpha, &motion->amplitude,

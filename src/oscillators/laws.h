@@ -118,7 +118,11 @@ VM_API int vmi_law_check(const vm_law *law, int if_not_positive, vm_real t)
     if (!law->derivatives) return VM_BAD_ARGUMENT;
     status = vmi_law_derivatives(law, if_not_positive, 0, 1, 0, f);
     status = vmi_first_error(status, vmi_law_derivatives(law, if_not_positive, t, 1, 0, f));
-    if (law->validate) status = vmi_first_error(status, law->validate(law, if_not_positive, t));
+    if (law->validate) {
+        const int invalid = law->validate(law, if_not_positive, t);
+        if (invalid == VM_DOMAIN && law->time) return invalid; /* where times do not rise, the value at t may be NaN */
+        status = vmi_first_error(status, invalid);
+    }
     return status;
 }
 
@@ -156,8 +160,8 @@ VM_API int vmi_law_at(const vm_law *law, int if_not_positive, vm_real t, vm_real
 }
 
 /* Value f and rate df/dt of a law at time t (s), which may be negative. At the points of a table f is within 4 eps of
-   the value in the table, where eps is the machine epsilon; at the last point it is within 4 eps of the larger of the
-   last two values. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
+   the value in the table, where eps is the machine epsilon; at the last point it is within 8 eps of the larger of the
+   last two |values|. f may have any sign, since the law need not be that of a mass. Returns VM_BAD_ARGUMENT for null
    pointers and for a law that no constructor made; VM_NOT_FINITE where t or a result is infinite or NaN; VM_DOMAIN for
    t outside a table, for a power law where 1 + f1 t <= 0, and where the user's function fails; VM_OK otherwise. An
    error leaves *f and *rate untouched. */
@@ -217,7 +221,9 @@ VM_API int vmi_law_linear_form(const vm_law *law, vm_real *base, vm_real *rate)
 /* The integral of dt/f from 0 to t for a linear law f = f0 + f1 t */
 VM_API vm_real vmi_law_linear_inverse_integral(const vm_law *law, vm_real t)
 {
-    return t * vmi_log_ratio(law->f1 / law->f0 * t) / law->f0;
+    const vm_real x = law->f1 / law->f0 * t; /* f(t)/f0 - 1; it may round to -1 where f(t) is small, but positive */
+    if (x < VM_C(-0.5)) return vmi_log((law->f0 + law->f1 * t) / law->f0).hi / law->f1;
+    return t * vmi_log_ratio(x) / law->f0;
 }
 
 /* Linear law f = f0 + f1 t (346); a constant where f1 = 0. f0 is the value at t = 0, f1 the rate per second, for
@@ -250,28 +256,34 @@ VM_API int vmi_law_quadratic_validate(const vm_law *law, int if_not_positive, vm
     vm_real f[VMI_LAW_ORDERS], lowest;
     if (!(law->f2 > 0)) return VM_OK;
     lowest = -law->f1 / (2 * law->f2);
-    if (!(lowest * t > 0 && VM_FABS(lowest) < VM_FABS(t))) return VM_OK;
+    if (!((lowest > 0) == (t > 0) && VM_FABS(lowest) < VM_FABS(t))) return VM_OK;
     return vmi_law_derivatives(law, if_not_positive, lowest, 1, 0, f);
 }
 
 /* The exponential form of a quadratic law. This form exists only if the law is a square within rounding errors: f0 (1 +
-   base t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if the form exists, else 0. */
+   base t)^2 = f0 exp(2 base u) with u = ln(1 + base t)/base. Returns 1 if the form exists, else 0. The law is a square
+   if f1^2 = 4 f0 f2. Powers of two scale the products in this equation, so that they neither overflow nor underflow. */
 VM_API int vmi_law_quadratic_form(const vm_law *law, vm_real *base, vm_real *rate)
 {
-    const vm_real square = law->f1 * law->f1, rest = square - 4 * law->f0 * law->f2;
+    const vm_real size = vmi_power_below(law->f0), slope = vmi_power_below(VM_FABS(law->f1));
+    const vm_real f1 = law->f1 / slope, square = f1 * f1;
+    const vm_real rest = square - 4 * (law->f0 / size) * (law->f2 / slope * size / slope);
     *rate = law->f1 / law->f0;
     *base = *rate / 2;
     return VM_FABS(rest) <= 4 * VM_EPSILON * square;
 }
 
 /* The integral of dt/(f0 + f1 t + f2 t^2) from 0 to t. With x = 2 f0 + f1 t, D = f1^2 - 4 f0 f2 and d = sqrt|D| the
-   integral is (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. */
+   integral is (2/d) atan(d t/x) for D < 0, and (2/d) atanh(d t/x) otherwise. It is computed for f and t in units that
+   are powers of two, so that no product overflows or underflows. */
 VM_API vm_real vmi_law_quadratic_inverse_integral(const vm_law *law, vm_real t)
 {
-    const vm_real D = law->f1 * law->f1 - 4 * law->f0 * law->f2, x = 2 * law->f0 + law->f1 * t;
-    const vm_real y = VM_SQRT(VM_FABS(D)) * VM_FABS(t), s = y / x;
-    if (D < 0 && y > 0) return 2 * t / y * ateb_phase(y, x, 1);
-    return 2 * t / x * vmi_log_ratio(2 * s / (1 - s)) / (1 - s);
+    const vm_real size = vmi_power_below(law->f0), unit = vmi_power_below(VM_FABS(t)), way = t / unit;
+    const vm_real f0 = law->f0 / size, f1 = law->f1 * unit / size, f2 = law->f2 * unit * unit / size;
+    const vm_real D = f1 * f1 - 4 * f0 * f2, x = 2 * f0 + f1 * way;
+    const vm_real y = VM_SQRT(VM_FABS(D)) * VM_FABS(way), s = y / x;
+    if (D < 0 && y > 0) return 2 * way / y * ateb_phase(y, x, 1) * unit / size;
+    return 2 * way / x * vmi_log_ratio(2 * s / (1 - s)) / (1 - s) * unit / size;
 }
 
 /* Quadratic law f = f0 + f1 t + f2 t^2. f0 has the unit of f, f1 this unit per second, f2 this unit per second

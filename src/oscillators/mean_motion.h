@@ -20,7 +20,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "closed.h"
 #include "expansion.h"
@@ -37,28 +36,17 @@
 VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     vmi_osc_closed_now now;
-    vm_real power;
-    int i;
     vmi_osc_closed_mean_at(&p->closed_mean, t, &now);
     *mean = vmi_osc_mean_at_0(p);
     mean->ln_A = now.ln_A;
     mean->ratio = now.ratio;
-    mean->inverse_mass = now.u / p->m0;
     mean->phase = now.phase;
     mean->first = now.first;
     mean->psi = now.state.psi;
     mean->third = vmi_osc_closed_third(&p->closed_mean, &now, &p->ripple);
-    mean->now.m = p->m0 * vmi_exp(p->laws.rate_m * now.u, 0);
-    mean->now.k = p->k0 * vmi_exp(p->laws.rate_k * now.u, 0);
-    mean->now.a = p->slow.a / now.el;
     mean->now.p = p->slow.p / now.el;
     vmi_osc_closed_disturbance_at(&p->closed_mean, &now, VMI_OSC_G, mean->E);
     mean->largest = vmi_larger(mean->largest, VM_FABS(mean->E[0]));
-    power = 1 / now.el;
-    for (i = 0; i < VMI_OSC_G; i++) {
-        power /= now.el;
-        mean->now.G[i] = p->slow.G[i] * power;
-    }
 }
 
 /* Computes the mean motion at a time t so close to 0 that mass and stiffness do not change between 0 and t. The same
@@ -66,7 +54,6 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
 VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
     const int status = vmi_osc_walk_start(p, t, mean);
-    mean->inverse_mass = t / p->m0;
     mean->phase = t;
     mean->psi += p->mean.W * t;
     return status;
@@ -76,10 +63,15 @@ VM_API int vmi_osc_mean_near_0(const vm_osc_plan *p, vm_real t, vmi_osc_mean *me
    laws of mass and stiffness (oscillators/walk.h). */
 VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
 {
-    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, the laws change only by
-                                                   rounding errors */
-    const int near_0 = !p->closed && p->Om * VM_FABS(t) < too_short;
-    int status = VM_OK;
+    const vm_real too_short = 256 * VM_EPSILON; /* while the phase grows by less than this, a change of the laws that
+                                                   does not last has no effect */
+    int near_0 = !p->closed && p->Om * VM_FABS(t) < too_short, status = VM_OK;
+    vmi_osc_rates now;
+    if (near_0) { /* mass or stiffness may change even in so short a time */
+        status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t), &now);
+        if (status) return status;
+        near_0 = VM_FABS(now.m / p->m0 - 1) + VM_FABS(now.k / p->k0 - 1) < too_short;
+    }
     if (near_0 || !vmi_osc_has_phase(p)) status = vmi_osc_mean_near_0(p, t, mean);
     else if (p->closed) vmi_osc_mean_closed(p, t, mean);
     else status = vmi_osc_walk_to(p, t, mean);

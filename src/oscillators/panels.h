@@ -309,22 +309,23 @@ VM_API int vmi_law_ratio_integral_by_panels(const vm_law *f, const vm_law *g, vm
     return status;
 }
 
-/* Computes the integral of f/g dt from 0 to t in closed form. Returns 1 if there is a closed form, else 0. There is one
-   if f is constant and the integral of 1/g has a closed form, or if f and g have exponential forms with the same base
-   (see vmi_law_exponential_form). */
+/* Computes the integral of f/g dt from 0 to t in closed form. Returns 1 if there is a closed form whose value is
+   finite, else 0. There is a closed form if f is constant and the integral of 1/g has one, or if f and g have
+   exponential forms with the same base (see vmi_law_exponential_form). Its value may be NaN where f changes its
+   sign. */
 VM_API int vmi_law_ratio_integral_closed(const vm_law *f, const vm_law *g, vm_real t, vm_real *integral)
 {
     vm_real base, rate, base_g, rate_g, u;
     if (!(f->f0 != 0) || !vmi_law_exponential_form(f, &base, &rate)) return 0;
     if (rate == 0 && g->inverse_integral) {
         *integral = f->f0 * g->inverse_integral(g, t);
-        return 1;
+        return VM_IS_FINITE(*integral);
     }
     if (!vmi_law_exponential_form(g, &base_g, &rate_g)) return 0;
     if (base != base_g && rate_g != 0) return 0;
     u = t * vmi_log_ratio(base * t);
     *integral = f->f0 / g->f0 * u * vmi_exp_ratio((base + rate - rate_g) * u);
-    return 1;
+    return VM_IS_FINITE(*integral);
 }
 
 /* Integral of f(s)/g(s) ds from 0 to t, for t of either sign, f of any sign and g > 0.

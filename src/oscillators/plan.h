@@ -12,7 +12,6 @@
 #include "../ateb/period.h"
 #include "../ateb/plans.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "closed.h"
 #include "constant_mass.h"
@@ -160,9 +159,10 @@ VM_API int vmi_osc_prepare(vm_osc_plan *p, const vm_osc_problem *problem, int fo
 /* Makes a plan, by which the motion of one problem is computed for many values of t. The functions
    vm_osc_plan_by_route, vm_osc_plan_within and vm_osc_averaged use the plan. The problem is copied; its tables and what
    ctx points to must exist as long as the plan is used. Errors leave the plan untouched. Returns VM_BAD_ARGUMENT for
-   null pointers and for a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN, VM_BAD_MASS
-   or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at t = 0 or in a table, and VM_DOMAIN for alpha <
-   0, for a table whose times do not rise or do not contain t = 0, and where the user's function of a law fails. */
+   null pointers and for a law that no constructor made, VM_NOT_FINITE for a number that is infinite or NaN and for
+   alpha > 1e30, VM_BAD_MASS or VM_BAD_STIFFNESS for a mass or a stiffness that is not positive at t = 0 or in a table,
+   and VM_DOMAIN for alpha < 0, for a table whose times do not rise or do not contain t = 0, and where the user's
+   function of a law fails. */
 VM_API int vm_osc_plan_init(vm_osc_plan *p, const vm_osc_problem *problem)
 {
     vm_osc_plan plan;

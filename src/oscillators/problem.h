@@ -58,9 +58,10 @@ typedef struct VM_TAG(vm_osc_problem) {
 /* The motion at one time */
 typedef struct VM_TAG(vm_osc_motion) {
     vm_real x, v;      /* position, m, and velocity, m/s */
-    vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87 give the amplitude that belongs to x and v. All other
-                          routes leave out the ripple of first order; the ripple is the swing of the amplitude within a
-                          period, which damping and slow changes of mass and stiffness cause */
+    vm_real amplitude; /* amplitude A, m. The routes rk45 and rk87, and with a force collocation, give the amplitude
+                          that belongs to x and v. All other routes leave out the ripple of first order; the ripple is
+                          the swing of the amplitude within a period, which damping and slow changes of mass and
+                          stiffness cause */
     vm_real error;     /* estimate of the larger of |error of x|/A and |error of v|/vmax, where vmax is the largest
                           velocity at the amplitude A; it includes all causes of errors */
     int route;         /* the route by which x and v were computed, VM_ROUTE_... */

@@ -84,8 +84,8 @@ VM_API int vmi_law_is_constant(const vm_law *law, vm_real *f)
     return 1;
 }
 
-/* Writes what vmi_osc_rates_at writes. In addition it writes the time derivative of the rate p to *p_rate, or 0 if mass
-   or stiffness is a function of the user. */
+/* Writes what vmi_osc_rates_at writes, but the field k_rate is not valid. In addition it writes the time derivative of
+   the rate p to *p_rate, or 0 if mass or stiffness is a function of the user. */
 VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side, vmi_osc_rates *r, vm_real *p_rate)
 {
     const vm_real share = 1 / (o->alpha + 3);
@@ -108,6 +108,12 @@ VM_API int vmi_osc_rates_and_slope(const vm_osc_problem *o, vm_real t, int side,
     a_rate = o->reactive * m[2] * per_m - r->a * m_rate;
     *p_rate = ((k[2] * per_k - k_rate * k_rate) + 2 * a_rate - (m[2] * per_m - m_rate * m_rate)) * share;
     return VM_OK;
+}
+
+/* The time of the next point of a law's table after `from` on the way to t, or t if there is no such point */
+VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real t)
+{
+    return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */

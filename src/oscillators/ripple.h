@@ -26,7 +26,6 @@
 
 #include "../ateb/period.h"
 #include "../ateb/phase.h"
-#include "../base/elementary.h"
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "constant_mass.h"

@@ -16,7 +16,6 @@
 #include "../base/status.h"
 #include "collocation.h"
 #include "integration.h"
-#include "laws.h"
 #include "mean_motion.h"
 #include "plan.h"
 #include "problem.h"

@@ -185,6 +185,7 @@ VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_o
     exact.problem.force = vmi_vdp_force;
     exact.problem.ctx = &c;
     vmi_osc_course_start(&course, &exact, r, side, nodes, 2, 16 * VM_EPSILON);
+    course.by_velocity = 0; /* the force is smooth, and the mean motion starts from x and x' + p x */
     course.t = t;
     for (i = 0; i < most_steps; i++) {
         course.stop = vmi_osc_next_knot(&exact.problem, course.t, VM_COPYSIGN(VM_INFINITY, (vm_real)side));

@@ -14,7 +14,6 @@
 
 #include "../base/elementary.h"
 #include "../base/real.h"
-#include "../base/scalars.h"
 #include "../base/status.h"
 #include "expansion.h"
 #include "laws.h"
@@ -34,10 +33,11 @@ enum { VMI_WALK_ORDERS = 7 };
    the action stays constant, the amplitude is A = A0 exp(ln_A), and the rate of the phase is `ratio` times the rate at
    t = 0. A0 is the amplitude at t = 0. J is the action. */
 typedef struct VM_TAG(vmi_osc_mean) {
-    vmi_osc_slow now;      /* mass, stiffness and the numbers G_k just before t, or for t < 0 just after t */
+    vmi_osc_slow now;      /* mass, stiffness and the numbers G_k just before t, or for t < 0 just after t; where closed
+                              forms are used, only its field p belongs to t */
     vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
     vm_real ln_A, ratio;   /* ln(A/A0), and (phase rate at t)/(phase rate at t = 0), by the adiabatic law */
-    vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg */
+    vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg; 0 where closed forms are used and near time 0 */
     vm_real phase;         /* the integral of `ratio` over time from 0 to t, s */
     vm_real psi;           /* the mean phase */
     vm_real ln_J;          /* ln of (mean action at t)/(mean action at t = 0); it changes only at points of tables */
@@ -67,13 +67,12 @@ VM_API void vmi_osc_adiabatic(const vm_osc_plan *p, vm_real ln_m, vm_real ln_k, 
     *ln_Om = ((1 - g) * ln_k - (1 + g * r) * ln_m) / 2 - g * decay;
 }
 
-/* The mean motion at t = 0 of the oscillator for which the plan was made */
+/* The mean motion at t = 0 of the oscillator for which the plan was made; only the numbers E_k are not written */
 VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
 {
     vmi_osc_mean mean;
     int i;
     mean.now = p->slow;
-    vmi_osc_disturbance(&p->slow, p->mean.W, mean.E);
     mean.ln_A = 0;
     mean.ratio = 1;
     mean.inverse_mass = 0;
@@ -389,7 +388,7 @@ VM_API int vmi_osc_walk_along(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mea
     int status = vmi_osc_walk_start(p, t, mean);
     mean->shortest = longest;
     while (!status && at != t) {
-        const vm_real next = vmi_law_next_knot(stiffness, at, vmi_law_next_knot(mass, at, t));
+        const vm_real next = vmi_osc_next_knot(&p->problem, at, t);
         status = vmi_osc_walk_piece(p, at, next, longest, whole, mean);
         at = next;
         if (!status && at != t) status = vmi_osc_walk_past_knot(p, at, side, mean);
