@@ -76,11 +76,11 @@ compiler=$($CC --version) || fail "the compiler $CC does not say its version"
     echo "with $FLAGS."
     echo "The table says for each function how many machine instructions a call executes. The instructions were counted by callgrind, a tool"
     echo "of the program valgrind. Each number is the mean of 200 calls (for functions of arrays, the mean for one of the 200 values that a"
-    echo "call computes); it is the same in every run, because all runs use the same"
-    echo "arguments. In some rows the name of the function has an addition that says how it was called. For example, \`ateb_plan_saca_4_3\` is"
-    echo "a call of \`ateb_plan_saca\` with a plan for alpha = 4/3, where alpha is the exponent of the Ateb functions, and the addition"
-    echo "_to_1e_3 stands for a tolerance of 1e-3. The file bench/count.c has all calls and their arguments. In the rows of the integrators"
-    echo "(rk4, rk45, rk87), a call computes one step of the solution of x'' = -x^3."
+    echo "call computes); it is the same in every run, because all runs use the same arguments. In some rows the name of the function has an"
+    echo "addition that says how it was called. For example, \`ateb_plan_saca_4_3\` is a call of \`ateb_plan_saca\` with a plan for alpha = 4/3,"
+    echo "where alpha is the exponent of the Ateb functions, and the addition _to_1e_3 stands for a tolerance of 1e-3. The file"
+    echo "bench/count.c has all calls and their arguments. In the rows of the integrators (rk4, rk45, rk87), a call computes one step of the"
+    echo "solution of x'' = -x^3."
     echo
     echo '| function | double | float |'
     echo '|---|---|---|'
