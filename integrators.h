@@ -321,8 +321,7 @@ __asm__(".globl " VMI_MARK "\n" VMI_HIDDEN ".ifdef " VMI_MARK "\n.if " VMI_MARK 
 
 VMI_QUIET_BEGIN
 
-/* -fsingle-precision-constant makes constants shorter than vm_real. This array then has -1 elements, which is an
-   error. */
+/* -fsingle-precision-constant makes constants shorter than vm_real. This array then has -1 elements, an error. */
 typedef char vmi_constants_are_vm_real[sizeof(VM_C(1.0)) == sizeof(vm_real) ? 1 : -1];
 
 #if defined(VM_TABLE) != defined(VM_READ)

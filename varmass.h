@@ -114,7 +114,7 @@
 
    INDEX
      base/status: the statuses that functions return, and what each of them means
-       vm_strerror                    The meaning of a status as a line of text
+       vm_strerror                    The meaning of any status as a line of text
 
      base/lambert: Lambert's function W
        vm_lambert_w0                  Lambert's W_0(x), the upper branch
@@ -152,7 +152,7 @@
        vm_euler_313_rates             Rates psi', theta', phi' of Euler's angles from an angular velocity in inertial axes, rad/s
 
      mechanics/inertia: inertia tensors, parallel axes, principal axes
-       vm_inertia_is_possible         Tests whether a body can have this inertia
+       vm_inertia_is_possible         Returns 1 if a body can have this inertia
        vm_parallel_axes               Inertia about a point at d from the mass centre, along parallel axes, (40)
 
      mechanics/bodies: bodies in space and in the plane, their momenta and energy before and after a jump
@@ -610,7 +610,7 @@ VMI_QUIET_BEGIN
    Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A
    positive number means that the function has done its work, but the caller should know something about the result. A
    negative number is an error: the outputs are unchanged. A mistake has the same status in every function. If a call
-   has several mistakes, the status names the first of them in this order:
+   has several mistakes, the status names the first in this order, mistakes of a computed body (such as a rest) last:
 
        a null pointer, a negative count, a choice that does not exist    VM_BAD_ARGUMENT
        an infinite number or NaN                                         VM_NOT_FINITE
@@ -619,7 +619,6 @@ VMI_QUIET_BEGIN
        an inertia that no body can have                                  VM_BAD_INERTIA
        an exponent or another parameter outside its domain               VM_DOMAIN
 
-   Mass and inertia of a body that is computed, such as the rest after a separation, are tested after all arguments.
        vm_body rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // whole and part are vm_bodies
        if (status < 0) printf("%s\n", vm_strerror(status));
@@ -675,8 +674,7 @@ enum {
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
 #define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* The meaning of a status as a line of text. For an error the text also says, where possible, what to do. The status
-   may be any number. */
+/* The meaning of any status as a line of text. For an error the text also says, where possible, what to do. */
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -731,8 +729,7 @@ VM_API int vmi_error_rank(int status)
     return 2 * -status;
 }
 
-/* Returns one of two statuses: the error if the other status is VM_OK, and of two errors the one with the smaller
-   vmi_error_rank. */
+/* Returns the error of two statuses if the other is VM_OK, and of two errors that with the smaller vmi_error_rank. */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;
@@ -1450,8 +1447,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, within 4 eps of itself if it is a normal number. It does not overflow if only its square
-   would overflow. */
+/* The length of the vector a, within 4 eps of itself if it is a normal number. Its square may overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
@@ -1609,8 +1605,7 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
 
 /* Returns the vector of length 1 in the direction of a, which must be finite and not 0, also where the length of a
    overflows or is subnormal. The division by a power of two is exact, so that the result has the bits of a/vm_norm(a)
-   wherever the length and the components of the result are normal numbers or 0. (The results of vm_unit have other last
-   digits.) */
+   wherever length and result have only normal numbers and zeros. (The results of vm_unit have other last digits.) */
 VM_API vm_vec3 vmi_unit_vector(vm_vec3 a)
 {
     const vm_vec3 b = vmi_over(a, vmi_power_below(vmi_norm_max(a)));
@@ -1682,8 +1677,7 @@ VM_API int vmi_is_rotation(const vm_real *c)
 }
 
 /* The quaternion q of length 1, with w >= 0, that has the rotation matrix c. The comment of vm_quat_to_matrix describes
-   c. The error is within 4 eps. For a rotation by a small angle the error of x, y and z is within 4 eps times this
-   angle.
+   c. The error is within 4 eps. For a rotation by a small angle that of x, y and z is within 4 eps times this angle.
    Rounding errors of c cause errors of the same size in q. There are four formulas for q, each with a division; the
    function uses the formula with the largest divisor, because its rounding errors are smallest (Shepperd 1978).
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if an entry of c is infinite or NaN, VM_DOMAIN if c is not
@@ -1732,29 +1726,22 @@ VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
     return vmi_over(vmi_quat_vector(q), divisor);
 }
 
-/* Returns w - x^2. */
-VM_API vmi_three vmi_mrp_minus_square(vmi_three w, vm_real x)
-{
-    const vm_two square = vmi_two_product(x, -x);
-    return vmi_three_plus(w, vmi_three_words(square.hi, square.lo, 0));
-}
-
 /* The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length. If the
    length |p| is above 1, the angle of the rotation is above pi, and w of the result is negative. The relative error of
    each component of the result is within 8 eps. This holds even for a small w, at an angle close to pi, because the
-   function computes 1 - |p|^2 in three words (as a sum of three vm_reals). If a parameter is infinite or NaN, the
-   result is NaN. */
+   function computes 1 - |p|^2 in three words. If a parameter is infinite or NaN, the result is NaN. */
 VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 {
-    vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
+    vm_real scale = 1, x[3]; /* scale: a power of two that makes the components of a long p at most 2 */
     vmi_three w;
+    int i;
     if (!vmi_vec3_is_finite(p)) return vmi_quat(VM_NAN, vmi_vec3(VM_NAN, VM_NAN, VM_NAN));
     if (vmi_norm_max(p) > 1) scale = 1 / vmi_power_below(vmi_norm_max(p));
     p = vm_scale(scale, p);
+    vmi_set3(x, p);
     w = vmi_three_words(scale * scale, 0, 0);
-    w = vmi_mrp_minus_square(w, p.x);
-    w = vmi_mrp_minus_square(w, p.y);
-    w = vmi_mrp_minus_square(w, p.z);
+    for (i = 0; i < 3; i++)
+        w = vmi_three_plus(w, vmi_three_times(vmi_three_words(x[i], 0, 0), vmi_three_words(-x[i], 0, 0)));
     return vm_unit_quat(vmi_quat(w.hi + (w.mid + w.lo), vm_scale(2 * scale, p)));
 }
 
@@ -2059,8 +2046,7 @@ VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON *
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
    (trace tr, unit matrix E) has no negative eigenvalue. The function adds `slack` to the trace, so that rounding errors
-   do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. If the trace
-   overflows, it returns 0. */
+   do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
@@ -2076,10 +2062,9 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also if the trace
-   overflows, for NaN and for a null pointer. The principal moments of a body are not negative, and none is larger than
-   the sum of the other two. A violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods
-   and points count as bodies, but those whose trace is below VM_MIN/(32 eps), and not 0, may be refused. */
+/* Returns 1 if a body can have this inertia. Returns 0 if not, and also if the trace overflows, for NaN and for a null
+   pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));
@@ -2305,8 +2290,6 @@ VM_API vm_vec3 vmi_spin_momentum_at(const vm_body *body, vm_vec3 omega)
     const vmi_mat3 m = vmi_rotation(body->q);
     return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, omega)));
 }
-
-/* The angular momentum of a body about its own mass centre, in inertial axes */
 VM_API vm_vec3 vmi_spin_momentum(const vm_body *body) { return vmi_spin_momentum_at(body, body->omega); }
 
 /* Momentum of a body, mass times velocity, (1)-(3), N s. The body is not checked. The result is NaN for a null pointer,
@@ -2803,8 +2786,8 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole are
    added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
    distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the rest
-   that is below this error becomes 0, and one that exceeds the sum of the other two by less than this error becomes
-   this sum. Both change the rest's angular momentum by up to the error times omega.
+   below this error becomes 0, and one that exceeds the sum of the other two by less becomes this sum; this changes the
+   angular momentum by up to the error times omega.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
    axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about
@@ -2887,8 +2870,7 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
 
 /* Inertia of the rest of a body after a part has left it, about the mass centre of the rest: (13)-(15), (40). This
    function is the inverse of vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The
-   result *centre (m) leads from the mass centre of the whole to that of the rest. The statuses are those of
-   vm_combine_inertia. */
+   result *centre (m) leads from the mass centre of the whole to that of the rest. Statuses: see vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {

@@ -3,7 +3,7 @@
    Every function of varmass.h that can fail returns one of these numbers. 0 (VM_OK) means that all went well. A
    positive number means that the function has done its work, but the caller should know something about the result. A
    negative number is an error: the outputs are unchanged. A mistake has the same status in every function. If a call
-   has several mistakes, the status names the first of them in this order:
+   has several mistakes, the status names the first in this order, mistakes of a computed body (such as a rest) last:
 
        a null pointer, a negative count, a choice that does not exist    VM_BAD_ARGUMENT
        an infinite number or NaN                                         VM_NOT_FINITE
@@ -12,7 +12,6 @@
        an inertia that no body can have                                  VM_BAD_INERTIA
        an exponent or another parameter outside its domain               VM_DOMAIN
 
-   Mass and inertia of a body that is computed, such as the rest after a separation, are tested after all arguments.
        vm_body rest;
        int status = vm_separate(&whole, &part, NULL, &rest); // whole and part are vm_bodies
        if (status < 0) printf("%s\n", vm_strerror(status));
@@ -71,8 +70,7 @@ enum {
 /* The number of elements of an array, as in scene.y_size = VM_LENGTH(y). The result is wrong for a pointer. */
 #define VM_LENGTH(array) ((int)(sizeof(array) / sizeof *(array)))
 
-/* The meaning of a status as a line of text. For an error the text also says, where possible, what to do. The status
-   may be any number. */
+/* The meaning of any status as a line of text. For an error the text also says, where possible, what to do. */
 VM_API const char *vm_strerror(int status)
 {
     switch (status) {
@@ -127,8 +125,7 @@ VM_API int vmi_error_rank(int status)
     return 2 * -status;
 }
 
-/* Returns one of two statuses: the error if the other status is VM_OK, and of two errors the one with the smaller
-   vmi_error_rank. */
+/* Returns the error of two statuses if the other is VM_OK, and of two errors that with the smaller vmi_error_rank. */
 VM_API int vmi_first_error(int a, int b)
 {
     if (a == VM_OK) return b;

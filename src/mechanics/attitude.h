@@ -52,8 +52,7 @@ VM_API vm_vec3 vm_unit(vm_vec3 a)
 
 /* Returns the vector of length 1 in the direction of a, which must be finite and not 0, also where the length of a
    overflows or is subnormal. The division by a power of two is exact, so that the result has the bits of a/vm_norm(a)
-   wherever the length and the components of the result are normal numbers or 0. (The results of vm_unit have other last
-   digits.) */
+   wherever length and result have only normal numbers and zeros. (The results of vm_unit have other last digits.) */
 VM_API vm_vec3 vmi_unit_vector(vm_vec3 a)
 {
     const vm_vec3 b = vmi_over(a, vmi_power_below(vmi_norm_max(a)));
@@ -125,8 +124,7 @@ VM_API int vmi_is_rotation(const vm_real *c)
 }
 
 /* The quaternion q of length 1, with w >= 0, that has the rotation matrix c. The comment of vm_quat_to_matrix describes
-   c. The error is within 4 eps. For a rotation by a small angle the error of x, y and z is within 4 eps times this
-   angle.
+   c. The error is within 4 eps. For a rotation by a small angle that of x, y and z is within 4 eps times this angle.
    Rounding errors of c cause errors of the same size in q. There are four formulas for q, each with a division; the
    function uses the formula with the largest divisor, because its rounding errors are smallest (Shepperd 1978).
    Returns VM_BAD_ARGUMENT for a null pointer, VM_NOT_FINITE if an entry of c is infinite or NaN, VM_DOMAIN if c is not
@@ -175,29 +173,22 @@ VM_API vm_vec3 vm_quat_to_mrp(vm_quat q)
     return vmi_over(vmi_quat_vector(q), divisor);
 }
 
-/* Returns w - x^2. */
-VM_API vmi_three vmi_mrp_minus_square(vmi_three w, vm_real x)
-{
-    const vm_two square = vmi_two_product(x, -x);
-    return vmi_three_plus(w, vmi_three_words(square.hi, square.lo, 0));
-}
-
 /* The attitude, a quaternion of length 1, that belongs to the modified Rodrigues parameters p of any length. If the
    length |p| is above 1, the angle of the rotation is above pi, and w of the result is negative. The relative error of
    each component of the result is within 8 eps. This holds even for a small w, at an angle close to pi, because the
-   function computes 1 - |p|^2 in three words (as a sum of three vm_reals). If a parameter is infinite or NaN, the
-   result is NaN. */
+   function computes 1 - |p|^2 in three words. If a parameter is infinite or NaN, the result is NaN. */
 VM_API vm_quat vm_quat_from_mrp(vm_vec3 p)
 {
-    vm_real scale = 1; /* a power of two that makes the components of a long p at most 2 */
+    vm_real scale = 1, x[3]; /* scale: a power of two that makes the components of a long p at most 2 */
     vmi_three w;
+    int i;
     if (!vmi_vec3_is_finite(p)) return vmi_quat(VM_NAN, vmi_vec3(VM_NAN, VM_NAN, VM_NAN));
     if (vmi_norm_max(p) > 1) scale = 1 / vmi_power_below(vmi_norm_max(p));
     p = vm_scale(scale, p);
+    vmi_set3(x, p);
     w = vmi_three_words(scale * scale, 0, 0);
-    w = vmi_mrp_minus_square(w, p.x);
-    w = vmi_mrp_minus_square(w, p.y);
-    w = vmi_mrp_minus_square(w, p.z);
+    for (i = 0; i < 3; i++)
+        w = vmi_three_plus(w, vmi_three_times(vmi_three_words(x[i], 0, 0), vmi_three_words(-x[i], 0, 0)));
     return vm_unit_quat(vmi_quat(w.hi + (w.mid + w.lo), vm_scale(2 * scale, p)));
 }
 

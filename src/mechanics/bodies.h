@@ -72,8 +72,6 @@ VM_API vm_vec3 vmi_spin_momentum_at(const vm_body *body, vm_vec3 omega)
     const vmi_mat3 m = vmi_rotation(body->q);
     return vmi_times(&m, vmi_inertia_times(&body->inertia, vmi_times_transposed(&m, omega)));
 }
-
-/* The angular momentum of a body about its own mass centre, in inertial axes */
 VM_API vm_vec3 vmi_spin_momentum(const vm_body *body) { return vmi_spin_momentum_at(body, body->omega); }
 
 /* Momentum of a body, mass times velocity, (1)-(3), N s. The body is not checked. The result is NaN for a null pointer,

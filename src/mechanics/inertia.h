@@ -98,8 +98,7 @@ VM_API vm_real vmi_inertia_slack(const vm_inertia *i) { return 32 * VM_EPSILON *
 
 /* Returns 1 if a body can have the inertia i, within the tolerance slack (kg m^2). For a body, the matrix tr(i)/2 E - i
    (trace tr, unit matrix E) has no negative eigenvalue. The function adds `slack` to the trace, so that rounding errors
-   do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. If the trace
-   overflows, it returns 0. */
+   do not change the answer. It then tests whether Gaussian elimination gives positive pivots only. */
 VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
 {
     const vm_real half = (i->xx + i->yy + i->zz + slack) / 2;
@@ -115,10 +114,9 @@ VM_API int vmi_inertia_is_within(const vm_inertia *i, vm_real slack)
     return z - yz / y * yz > 0;
 }
 
-/* Tests whether a body can have this inertia. Returns 1 if it can. Returns 0 if it cannot, and also if the trace
-   overflows, for NaN and for a null pointer. The principal moments of a body are not negative, and none is larger than
-   the sum of the other two. A violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods
-   and points count as bodies, but those whose trace is below VM_MIN/(32 eps), and not 0, may be refused. */
+/* Returns 1 if a body can have this inertia. Returns 0 if not, and also if the trace overflows, for NaN and for a null
+   pointer. The principal moments of a body are not negative, and none is larger than the sum of the other two. A
+   violation of these rules by up to 32 eps of the trace counts as a rounding error. Rods and points count as bodies. */
 VM_API int vm_inertia_is_possible(const vm_inertia *inertia)
 {
     return inertia && vmi_inertia_is_finite(inertia) && vmi_inertia_is_within(inertia, vmi_inertia_slack(inertia));

@@ -258,8 +258,8 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole are
    added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
    distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the rest
-   that is below this error becomes 0, and one that exceeds the sum of the other two by less than this error becomes
-   this sum. Both change the rest's angular momentum by up to the error times omega.
+   below this error becomes 0, and one that exceeds the sum of the other two by less becomes this sum; this changes the
+   angular momentum by up to the error times omega.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
    axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about
@@ -342,8 +342,7 @@ VM_API int vm_combine_inertia(vm_real mass_a, const vm_inertia *a, vm_real mass_
 
 /* Inertia of the rest of a body after a part has left it, about the mass centre of the rest: (13)-(15), (40). This
    function is the inverse of vm_combine_inertia. d (m) leads from the mass centre of the whole to that of the part. The
-   result *centre (m) leads from the mass centre of the whole to that of the rest. The statuses are those of
-   vm_combine_inertia. */
+   result *centre (m) leads from the mass centre of the whole to that of the rest. Statuses: see vm_combine_inertia. */
 VM_API int vm_split_inertia(vm_real mass, const vm_inertia *whole, vm_real part_mass, const vm_inertia *part,
                             vm_vec3 d, vm_inertia *rest, vm_vec3 *centre)
 {

@@ -66,8 +66,7 @@ VM_API vm_vec3 vmi_abs(vm_vec3 a) { return vmi_vec3(VM_FABS(a.x), VM_FABS(a.y), 
 /* The sum |x| + |y| + |z| of the absolute values of a's components */
 VM_API vm_real vmi_norm1(vm_vec3 a) { return VM_FABS(a.x) + VM_FABS(a.y) + VM_FABS(a.z); }
 
-/* The length of the vector a, within 4 eps of itself if it is a normal number. It does not overflow if only its square
-   would overflow. */
+/* The length of the vector a, within 4 eps of itself if it is a normal number. Its square may overflow. */
 VM_API vm_real vm_norm(vm_vec3 a) { return vmi_hypot(vmi_hypot(a.x, a.y), a.z); }
 
 /* The largest of |x|, |y| and |z|, where x, y, z are the components of a */
