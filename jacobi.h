@@ -4545,9 +4545,8 @@ VM_API vm_real jacobi_inverse_dn_m1(vm_real x, vm_real m1)
    the variable h, changes sn, cn and dn a little; two terms of their Taylor series in h add this change. */
 VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm_real *dn)
 {
-    const vm_real scale = m > VM_MAX * VM_EPSILON ? VM_EPSILON : 1; /* keeps the quotient m1 from overflowing */
     vm_two k, phase, m1;
-    vm_real s, c, d, h;
+    vm_real s, c, d, h, scale = 1;
     if (!(m > 1) || !VM_IS_FINITE(m) || !VM_IS_FINITE(u)) {
         jacobi_sncndn(u, m, sn, cn, dn);
         return;
@@ -4558,10 +4557,12 @@ VM_API void jacobi_sncndn_any(vm_real u, vm_real m, vm_real *sn, vm_real *cn, vm
         *cn = *dn = 1;
         return;
     }
+    if (m > VM_MAX * VM_EPSILON) scale = VM_EPSILON; /* keeps the quotient m1 from overflowing */
     m1 = vmi_two_over(vmi_two_sum(m * scale, -scale), vmi_two(m * scale, 0));
     phase = vmi_two_scaled(k, u);
     vmi_sncndn(phase.hi, m1.hi, m1.lo, &s, &c, &d);
-    h = VM_FABS(phase.hi) < 1 / VM_EPSILON ? phase.lo : 0;
+    h = phase.lo;
+    if (!(VM_FABS(phase.hi) < 1 / VM_EPSILON)) h = 0; /* the series needs a small h */
     *sn = vmi_clamp(s + h * (c * d - h / 2 * s * (d * d + c * c / m)), -1, 1) / k.hi;
     *cn = vmi_clamp(d - h / m * (s * c + h / 2 * d * (c * c - s * s)), 0, 1);
     *dn = vmi_clamp(c - h * (s * d + h / 2 * c * (d * d - s * s / m)), -1, 1);

@@ -23474,7 +23474,8 @@ VM_API vm_band_now vmi_band_none(vm_real radius, vm_real others)
 }
 
 /* Radius, mass and moment of inertia of the part of a band that is on the drum at the angle phi. If phi < 0, the drum
-   is bare. In layers, an angle that is a number of complete turns within rounding errors may count as a little more.
+   is bare. If the band winds in layers, an angle that is a number of complete turns, within rounding errors, may count
+   as the beginning of the next layer.
    All results are NaN if phi is not finite, if the radius of the drum is not positive, if thickness, width or density
    is negative, or if band is NULL. In double the relative errors are at most 1e-13, tested up to 30 turns. */
 VM_API vm_band_now vm_band_at(vm_real phi, const vm_band *band)
