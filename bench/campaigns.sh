@@ -1,8 +1,8 @@
 #!/bin/sh
-# The campaigns: checks that take from minutes to hours. Each part that passes leaves build/campaigns/PART.stamp, which holds the
-# stamp of the headers that it depends on (bench/stamp.sh); it is not run again while they stay as they are. So a series that
-# was broken off goes on where it was. What a part printed is in build/campaigns/PART.log. In the end docs/campaigns.md has a
-# row for each part: a part that was not run keeps its row, which then names the older headers.
+# The campaigns: checks that take from minutes to hours. docs/campaigns.md has a row for each part. After a part has passed, its
+# row holds the stamp of the headers that it depends on (bench/stamp.sh), and the part is not run again while they stay as they
+# are. So a series that was broken off goes on where it was, also in another checkout. A part that was not run keeps its row,
+# which then names the older headers. What a part printed is in build/campaigns/PART.log.
 # usage: campaigns.sh [PART...], from the top of the project; without a name all parts are run, in this order
 folder=build/campaigns document=docs/campaigns.md
 mkdir -p $folder && echo '*' >build/.gitignore || exit 1
@@ -35,33 +35,15 @@ is_wanted() { [ -z "$wanted" ] || echo " $wanted " | grep -q " $1 "; }
 for part in $wanted; do
     parts | grep -q "^$part; " || { echo "campaigns.sh: no such part: $part" >&2; exit 2; }
 done
+field() { echo "$1" | awk -F'; ' -v n="$2" '{print $n}'; }                               # field LINE N: of a line of parts
+column() { awk -F' [|] ' -v part="| $1" -v n="$2" '$1 == part {print $n}' $folder/old; } # column PART N: of the part's row
+current_stamp() { sh bench/stamp.sh of $(field "$1" 2); }                                # current_stamp LINE
 
-parts >$folder/parts
-while IFS= read -r line <&3; do
-    name=${line%%; *}
-    is_wanted "$name" || continue
-    headers=$(echo "$line" | awk -F'; ' '{print $2}')
-    command=$(echo "$line" | awk -F'; ' '{print $3}')
-    result=$(echo "$line" | awk -F'; ' '{print $4}')
-    stamp=$(sh bench/stamp.sh of $headers)
-    if [ "$(cat $folder/"$name".stamp 2>/dev/null)" = "$stamp" ]; then
-        echo "$name: passed before, with these headers"
-        continue
-    fi
-    echo "$name: $command"
-    if $command >$folder/"$name".log 2>&1; then
-        grep -E "$result" $folder/"$name".log | tail -n 5 | tr -s ' ' | sed 's/[|]/\\|/g; s/^ //' | paste -s -d ';' - |
-            sed 's/;/; /g' >$folder/"$name".result
-        echo "$stamp" >$folder/"$name".stamp
-        echo "$name: $(cat $folder/"$name".result)"
-    else
-        failed="$failed $name"
-        echo "$name: FAILED, see $folder/$name.log"
-    fi
-done 3<$folder/parts
-
-{
-    cat <<'END'
+# new_row LINE STAMP RESULT: writes the document, with these two columns in the row of this line
+new_row() {
+    cp $document $folder/old || : >$folder/old
+    {
+        cat <<'END'
 # Campaigns
 
 This page is written by `make campaigns` (bench/campaigns.sh).
@@ -81,26 +63,43 @@ code the campaigns found.
 | campaign | command | what it shows | headers | result |
 |---|---|---|---|---|
 END
-    while IFS= read -r line <&3; do
-        name=${line%%; *}
-        if [ -f $folder/"$name".stamp ]; then
-            echo "$line" | awk -F'; ' -v stamp="$(cat $folder/"$name".stamp)" -v result="$(cat $folder/"$name".result)" \
-                '{printf "| %s | `%s` | %s | %s | %s |\n", $1, $3, $5, stamp, result == "" ? "passed" : result}'
-        else
-            grep -s "^| $name | " $document ||
-                echo "$line" | awk -F'; ' '{printf "| %s | `%s` | %s | not run since hashes are recorded | - |\n", $1, $3, $5}'
-        fi
-    done 3<$folder/parts
-} >$folder/document
+        while IFS= read -r line <&4; do
+            name=${line%%; *} stamp=$(column "${line%%; *}" 4) result=$(column "${line%%; *}" 5)
+            [ "$line" != "$1" ] || stamp=$2 result="$3 |"
+            echo "| $name | \`$(field "$line" 3)\` | $(field "$line" 5) | ${stamp:-not run since hashes are recorded} | ${result:-- |}"
+        done 4<$folder/parts
+        printf '\nThe results on this page were obtained with earlier headers, except for the rows whose hashes are those of the present headers.\n'
+    } >$folder/new
+    mv $folder/new $document
+}
+
+parts >$folder/parts
+new_row none
+while IFS= read -r line <&3; do
+    name=${line%%; *}
+    is_wanted "$name" || continue
+    stamp=$(current_stamp "$line")
+    if [ "$(column "$name" 4)" = "$stamp" ]; then
+        echo "$name: passed before, with these headers"
+        continue
+    fi
+    echo "$name: $(field "$line" 3)"
+    if $(field "$line" 3) >$folder/"$name".log 2>&1; then
+        result=$(grep -E "$(field "$line" 4)" $folder/"$name".log | tail -n 5 | tr -s ' ' | sed 's/[|]/\\|/g; s/^ //' | paste -s -d ';' - |
+            sed 's/;/; /g')
+        new_row "$line" "$stamp" "${result:-passed}"
+        echo "$name: $result"
+    else
+        failed="$failed $name"
+        echo "$name: FAILED, see $folder/$name.log"
+    fi
+done 3<$folder/parts
+
+cp $document $folder/old
 current=1
 while IFS= read -r line <&3; do
-    headers=$(echo "$line" | awk -F'; ' '{print $2}')
-    [ "$(cat $folder/"${line%%; *}".stamp 2>/dev/null)" = "$(sh bench/stamp.sh of $headers)" ] || current=
+    [ "$(column "${line%%; *}" 4)" = "$(current_stamp "$line")" ] || current=
 done 3<$folder/parts
-{
-    cat $folder/document
-    printf '\nThe results on this page were obtained with earlier headers, except for the rows whose hashes are those of the present headers.\n'
-} >$folder/new && mv $folder/new $document
 [ -z "$current" ] || sh bench/stamp.sh write campaigns
 sh bench/stamp.sh refresh
 [ -z "$failed" ] || { echo "campaigns that failed:$failed" >&2; exit 1; }

@@ -1,24 +1,25 @@
 #!/bin/sh
 # Random evaluations of every special function in both precisions, a row of the table at a time. For each row a program of its own
-# is compiled. A row that came to its end is kept in BUILD/evaluations with a checksum of its program's machine code, and is not
-# run again while this code stays as it is. So a run of hours that was broken off goes on where it was, and a change of the headers
-# repeats only the rows that it concerns. When all rows are there, docs/evaluations.md is written.
+# is compiled. A row that came to its end has a line in tests/evaluations/kept.txt with a checksum of its program's machine code,
+# and is not run again while this code stays as it is. So a run of hours that was broken off goes on where it was, also in another
+# checkout, and a change of the headers repeats only the rows that it concerns. When all rows are there, docs/evaluations.md is
+# written.
 # usage: evaluations.sh BUILD COUNT SEED [FIRST LAST], from the top of the project: COUNT evaluations of each function, of slow
 #        ones COUNT/10; rows FIRST to LAST alone, counted from 1
-folder=$1/evaluations count=$2 seed=$3 first=${4:-1} last=${5:-1000}
+folder=$1/evaluations count=$2 seed=$3 first=${4:-1} last=${5:-1000} kept=tests/evaluations/kept.txt
 mkdir -p "$folder" && echo '*' >"$1/.gitignore" || exit 1
 compile="${CC:-cc} -std=c99 -O2 -fopenmp"
 
 row() { # row PRECISION LINE: runs this row unless it is there
-    kept=$folder/$1.$2 program=$folder/row flags=
+    program=$folder/row flags=
     [ "$1" = float ] && flags=-DVM_USE_FLOAT
     $compile $flags -DROW="$2" -c tests/evaluations.c -o "$program.o" || return 1
-    this_run="COUNT=$count SEED=$seed machine code $(cksum <"$program.o")"
-    [ "$(head -n 1 "$kept" 2>/dev/null)" = "$this_run" ] && return
-    rm -f "$kept"
+    this_run="$1 $2: COUNT=$count SEED=$seed machine code $(cksum <"$program.o")"
+    grep -sqF "$this_run: " $kept && return
     $compile "$program.o" -o "$program" -lm || return 1
-    { echo "$this_run" && "$program" "$count" "$seed" "$2"; } >"$kept.new" || { cat "$kept.new"; return 1; }
-    mv "$kept.new" "$kept"
+    result=$("$program" "$count" "$seed" "$2") || { echo "$result"; return 1; }
+    { grep -sv "^$1 $2: " $kept; echo "$this_run: $result"; } | sort -t ' ' -k 1,1 -k 2,2n >"$folder/kept"
+    mv "$folder/kept" $kept
 }
 $compile tests/evaluations.c -o "$folder/all" -lm || exit 1
 "$folder/all" rows >"$folder/rows"
@@ -36,7 +37,7 @@ done
 line=1
 : >"$folder/table"
 while [ $line -le "$rows" ]; do
-    sed -s -n 2p "$folder/double.$line" "$folder/float.$line" | paste -s -d '|' - |
+    sed -n "s/^[a-z]* $line: .*: //p" $kept | paste -s -d '|' - |
         awk -F'|' '{print "| " $1 " | " $2 " | " $5 " | " $3 + $6 " |"}' >>"$folder/table"
     line=$((line + 1))
 done

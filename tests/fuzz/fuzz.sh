@@ -1,11 +1,11 @@
 #!/bin/sh
 # Fuzz every target in both precisions, two runs at a time, for SECONDS in all, by clang's libFuzzer with ASan and UBSan; inputs that
 # violate a property stay in BUILD/fuzz/TARGET-PRECISION-crash-*, from where they go to tests/fuzz/corpus with a line of what
-# went wrong. A run that came to its end is kept in BUILD/fuzz/TARGET-PRECISION.kept, and is not run again while its time and the
-# machine code of the target stay as they are. So a run of hours that was broken off goes on where it was, and a change of the
-# headers only repeats the targets that call what was changed.
+# went wrong. A run that came to its end has a line in tests/fuzz/kept.txt, and is not run again while its time and the machine
+# code of the target stay as they are. So a run of hours that was broken off goes on where it was, also in another checkout, and
+# a change of the headers only repeats the targets that call what was changed.
 # usage: fuzz.sh BUILD SECONDS [TARGET...], from the top of the project
-build=$1/fuzz seconds=$2
+build=$1/fuzz seconds=$2 kept=tests/fuzz/kept.txt
 shift 2
 [ $# -gt 0 ] || set -- $(ls tests/fuzz/*.c | sed 's|.*/||; s|\.c$||; /^replay$/d')
 each=$((seconds / (2 * $#)))
@@ -18,25 +18,28 @@ fi
 mkdir -p "$build"
 
 flags_of() { [ "$1" = double ] || echo -DVM_USE_FLOAT; } # flags_of PRECISION
-sources_of() { # sources_of TARGET PRECISION: the run's time and a hash of the target's machine code, without sanitizers
-    echo "$each s, $(clang -std=c99 -O1 $(flags_of "$2") -S "tests/fuzz/$1.c" -o - | cksum)"
+start_of() { # start_of TARGET PRECISION: the start of its line, with the time and a checksum of the machine code, without sanitizers
+    echo "$1 $2: $each s, $(clang -std=c99 -O1 $(flags_of "$2") -S "tests/fuzz/$1.c" -o - | cksum): "
 }
-is_kept() { [ "$(head -n 1 "$build/$1-$2.kept" 2>/dev/null)" = "$(sources_of "$1" "$2")" ]; } # is_kept TARGET PRECISION
+is_kept() { grep -sqF "$(start_of "$1" "$2")" $kept; } # is_kept TARGET PRECISION
+keep() {                                               # keep TARGET PRECISION: the line of a run that came to its end
+    [ -f "$build/$1-$2.result" ] || return
+    { grep -sv "^$1 $2: " $kept; echo "$(start_of "$1" "$2")$(cat "$build/$1-$2.result")"; } | LC_ALL=C sort >"$build/kept"
+    mv "$build/kept" $kept
+    rm "$build/$1-$2.result"
+}
 fuzz() { # fuzz TARGET PRECISION
     is_kept "$1" "$2" && return
     program=$build/$1-$2
-    rm -f "$program.kept"
+    rm -f "$program.result"
     mkdir -p "$program.corpus"
     clang -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $(flags_of "$2") \
         "tests/fuzz/$1.c" -o "$program" -lm >"$program.log" 2>&1 || return
     "$program" -max_total_time=$each -max_len=768 -len_control=0 -timeout=20 -rss_limit_mb=1024 -print_final_stats=1 \
         -artifact_prefix="$program-" -close_fd_mask=0 "$program.corpus" >"$program.log" 2>&1 || return
-    {
-        sources_of "$1" "$2"
-        awk -v name="$1 $2" '/cov:/ {for (i = 1; i < NF; i++) if ($i == "cov:") cov = $(i + 1)}
-            /number_of_executed_units/ {n = $2} /average_exec_per_sec/ {rate = $2}
-            END {printf "%-20s %9d inputs, %7d inputs/s, %5d edges\n", name, n, rate, cov}' "$program.log"
-    } >"$program.kept"
+    awk '/cov:/ {for (i = 1; i < NF; i++) if ($i == "cov:") cov = $(i + 1)}
+        /number_of_executed_units/ {n = $2} /average_exec_per_sec/ {rate = $2}
+        END {printf "%d inputs, %d inputs/s, %d edges\n", n, rate, cov}' "$program.log" >"$program.result"
 }
 
 passed=0 failed=0
@@ -45,8 +48,9 @@ for target in "$@"; do
     fuzz "$target" float
     wait
     for precision in double float; do
+        keep "$target" $precision
         if is_kept "$target" $precision; then
-            sed -n 2p "$build/$target-$precision.kept"
+            grep "^$target $precision: " $kept
             passed=$((passed + 1))
         else
             echo "$target $precision: FAILED"
