@@ -12,7 +12,7 @@ ns(route, effects) = strcol(3) eq route && (effects == 0 ? strcol(2) eq "no effe
 set bmargin 3.2
 set label "by hand" at 4.73,8 rotate textcolor rgb grey
 set label "inline functions" at 5,8 rotate textcolor rgb sky
-set label "scene" at 4.05,31.5 right textcolor rgb red
+set label "scene" at 5.27,8 rotate textcolor rgb "white"
 plot for [e=0:5] csv using (e-0.27):(ns("by hand", e)) with boxes lc rgb grey, \
     for [e=0:5] csv using (e):(ns("inline functions", e)) with boxes lc rgb sky, \
     for [e=0:5] csv using (e+0.27):(ns("scene", e)) with boxes lc rgb red

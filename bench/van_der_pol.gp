@@ -16,7 +16,8 @@ if (name eq "slopes") {
     array method[4] = ["averaging (410)", "order 1", "order 2", "order 3"]
     label(x, y) = abs(log(x/0.0253)) < 0.14 ? y : NaN
     plot for [i=1:4] csv using 1:(column(i+1)) with lines lc rgb colour[i] lw 2.4, \
-        for [i=1:4] csv using 1:(label($1, column(i+1))):(method[i]) with labels \
+        csv using 1:(label($1, $2)):(method[1]) with labels left offset 1,0.7 textcolor rgb colour[1], \
+        for [i=2:4] csv using 1:(label($1, column(i+1))):(method[i]) with labels \
         left offset 1,-0.9 textcolor rgb colour[i]
 } else {
     set xlabel "t" offset 0,0.3

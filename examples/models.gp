@@ -41,17 +41,17 @@ do for [figure in "14 15"] {
     set arrow from 0,0 to 3.0,2.18 arrowstyle 3
     set arrow from 0,0 to 5.0,3.08 arrowstyle 3
     set label "r_{S1}, r_S" at 0.75,1.3 tc rgb grey
-    set label "r_{S2}" at 3.9,2.1 tc rgb grey
+    set label "r_{S2}" at 4.25,2.2 tc rgb grey
     set arrow from 2.6,2.0 to 1.9,3.2 arrowstyle 1
     set label "v_{S1}" at 1.4,3.3 tc rgb blue
     set arrow from 3.0,2.18 to 3.0,3.6 arrowstyle 3
     set label "v_S" at 3.08,3.6 tc rgb grey
     set arrow from 5.0,3.08 to 6.1,3.7 arrowstyle 2
     set label "v_{S2}" at 6.05,3.9 tc rgb red
-    set label "S_1" at 2.25,1.75
+    set label "S_1" at 2.05,2.1
     set label "S" at 2.95,1.85
-    set label "S_2" at 5.05,2.85
-    set label (plane ? "Ω_1" : "Ω_1, M∓m") at 3.2,2.75 tc rgb blue
+    set label "S_2" at 5.08,3.05
+    set label (plane ? "Ω_1" : "Ω_1, M∓m") at 2.6,0.75 center tc rgb blue
     set label (plane ? "Ω_2" : "Ω_2, m") at 5.7,2.6 tc rgb red
     set object circle at 2.6,2.0 size 0.05 fs solid fc rgb blue
     set object circle at 3.0,2.18 size 0.05 fs solid fc rgb grey

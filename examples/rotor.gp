@@ -22,7 +22,7 @@ if (figure eq "break") {
     set size ratio -1
     set title "Fig. 17: velocities at the break (1 m/s = 0.5 m)"
     set xlabel "x, m"; set ylabel "y, m"
-    set xrange [-1.2:3.1]; set yrange [-1.8:1]
+    set xrange [-1.2:3.4]; set yrange [-1.8:1]
     set object 1 circle at Sx,Sy size 1 fillstyle empty border lc rgb "#888888"
     set label 1 "S" at Sx-0.16,Sy
     set label 2 "S_2" at S2x-0.02,S2y-0.1
@@ -30,10 +30,10 @@ if (figure eq "break") {
     set key inside right center reverse Left samplen 1.5
     plot file("orbit") using 2:3 with lines lc rgb "#bbbbbb" title "orbit of S", \
          file("vectors") using 1:2:3:4 every ::0::0 with vectors lc rgb "#888888" lw 2 title "v of S", \
-         "" using 1:2:3:4 every ::1::1 with vectors lc rgb "#000000" lw 2 title "v of S_2 before", \
-         "" using 1:2:3:4 every ::2::2 with vectors lc rgb "#1f77b4" lw 2 title "N: S_2 after", \
+         "" using 1:2:3:4 every ::1::1 with vectors lc rgb "#000000" lw 2 title "v of S_2, before", \
+         "" using 1:2:3:4 every ::2::2 with vectors lc rgb "#1f77b4" lw 2 title "N: v of S_2, after", \
          "" using 1:2:3:4 every ::3::3 with vectors lc rgb "#d62728" lw 2 title "T: lost (57)", \
-         "" using 1:2:3:4 every ::4::4 with vectors lc rgb "#2ca02c" lw 2 title "v of S_1 after"
+         "" using 1:2:3:4 every ::4::4 with vectors lc rgb "#2ca02c" lw 2 title "v of S_1, after"
     unset object 1; unset label 1; unset label 2; unset label 3
     set size noratio; set size 0.28,1; set origin 0.44,0
     set title "speed of S, after (52)"

@@ -40,7 +40,7 @@ plot for [k = 2:4] csv index 0 using 1:(before($1, column(k))) lt 1 lw 2 dt k-1 
      for [k = 2:4] csv index 0 using 1:(after($1, column(k))) lt 2 lw 2 dt k-1 title word("x y z", k-1)." (body)"
 set origin 0.5, 0
 set yrange [0:26]
-set ylabel "L_z about the origin, N m s"
+set ylabel "L_z, about the origin, N m s"
 plot csv index 0 using 1:7 lt 1 lw 4 title "sum", \
      csv index 0 using 1:(after($1, $5)) lt 2 lw 2 title "hub", \
      csv index 0 using 1:(after($1, $6)) lt 3 lw 2 title "panel"

@@ -8,7 +8,7 @@ set datafile missing ""
 set grid lc rgb "#dddddd"
 set title title noenhanced
 set key autotitle columnhead at screen 0.5, screen 0.02 center bottom horizontal maxrows 1 samplen 2 noenhanced
-set bmargin 6 # for the label of the axis and, below it, the names of the curves
+set bmargin 7 # for the label of the axis and, below it, up to three rows of names of the curves
 set linetype 1 lc rgb "#888888" lw 1.5
 set linetype 2 lc rgb "#1f77b4" lw 2
 set linetype 3 lc rgb "#d62728" lw 2 dt 2

@@ -1,6 +1,6 @@
 # The crane, on an elastic contact with the ground, and its load on a cord above a heap.
 rows = 2
-event(i) = i == 1 ? "+1500 kg, leak opens" : i == 3 ? "−700 kg, leak closes" : ""
+event(i) = i == 1 ? "+1500 kg, leaks" : i == 3 ? "−700 kg, leak closes" : ""
 row(i) = i == 3
 x = 8
 eval wall(3.5, 3.7, 4.9) . spring(3.5, 4.5, x - 1, 4.5) . right(3.1, 4.4, "elastic contact")

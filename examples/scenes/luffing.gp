@@ -1,6 +1,6 @@
 # Undercarriage, house, jib and hook block of a crane. The jib stands on a cylinder, the block hangs on a rope.
 rows = 2; scale = 0.54
-event(i) = i == 0 ? "+1500 kg, leak opens" : "−700 kg, leak closes"
+event(i) = i == 0 ? "+1500 kg, leaks" : "−700 kg, leak closes"
 row(i) = i; before(i) = i == 0
 u(m) = 6 + scale * m; v(m) = 0.85 + scale * m
 bar(a, b, c, d, style) = line(u(a), v(b), u(c), v(d), style)
