@@ -74,7 +74,7 @@ if (figure eq "fig18") {
     set xrange [0:40]; set yrange [0:4.5]
     plot file("fig18") every ::0::400 using 1:4 with lines lc rgb "#d62728" lw 2 title "Ω = 2.5", \
          "" every ::0::400 using 1:3 with lines lc rgb "#ff7f0e" lw 2 title "Ω = 1", \
-         "" every ::0::400 using 1:2 with lines lc rgb "#1f77b4" lw 2 title "Ω = 0.625", 0.8205128 ls 1 title "r_{SS} (77)"
+         "" every ::0::400 using 1:2 with lines lc rgb "#1f77b4" lw 2 title "Ω = 0.625", 0.8205128 ls 1 title "r_{SS}, (77)"
     set xrange [0:400]; set yrange [0:14]
     plot file("fig18") using 1:4 every 5 with lines lc rgb "#d62728" lw 2 title "Ω = 2.5", \
          "" using 1:6 every 20 with lines lc rgb "#000000" lw 1 dt 2 title "laws of growth", \
