@@ -440,6 +440,23 @@ static void test_short_part(void)
     }
 }
 
+/* The same pendulum with all lengths s times as long and all angular velocities 1/s times as large: if s is a power of two,
+   the results have the same bits, also if the cube of a length underflows. */
+static void test_small_lengths(void)
+{
+    const vm_real s = VM_LIBM(ldexp)(1, is_float ? -50 : -360);
+    const vm_pendulum p = {3, 2, R(0.7), R(1.3), 0};
+    vm_pendulum small = p;
+    vm_pendulum_cut c, d;
+    small.length *= s;
+    small.rate /= s;
+    CHECK(vm_pendulum_separate(&p, R(0.5), R(0.6), R(0.4), R(-0.25), &c) == VM_OK);
+    CHECK(vm_pendulum_separate(&small, R(0.5) * s, R(0.6) / s, R(0.4), R(-0.25), &d) == VM_OK);
+    CHECK(d.rest.rate * s == c.rest.rate && d.rate * s == c.rate && d.rest.mass == c.rest.mass && d.mass == c.mass);
+    CHECK(d.vx == c.vx && d.vy == c.vy && d.pivot_x == c.pivot_x && d.pivot_y == c.pivot_y);
+    CHECK(d.T1 == c.T1 && d.T_S1 == c.T_S1 && d.T_S2 == c.T_S2 && d.L1 / s == c.L1 && d.L2 / s == c.L2);
+}
+
 /* ---- Refusals ---- */
 
 static void test_bad_pendulums(void)
@@ -494,6 +511,7 @@ int main(void)
     test_bad_compounds();
     test_short_rest();
     test_short_part();
+    test_small_lengths();
     test_bad_pendulums();
     test_bad_parts();
     return check_finish("pendulum");

@@ -102,7 +102,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
                                 vm_pendulum_cut *cut)
 {
     vm_pendulum_cut c;
-    vm_real ex, ey, fx, fy, rho, left, rest_mass, across, change;
+    vm_real ex, ey, fx, fy, rho, left, ratio, rest_mass, across, change;
     int status;
     if (!pendulum || !cut) return VM_BAD_ARGUMENT;
     status = vmi_check_pendulum(pendulum, part);
@@ -113,7 +113,8 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
     across = ux * fx + uy * fy; /* component of the relative velocity orthogonal to the rod */
-    change = -part * (part * part * Omega / 4 + 3 * rho * across) / (left * left * left);
+    ratio = part / left; /* no products of lengths alone, here and below: they could underflow */
+    change = -ratio * (ratio * part * Omega / 4 + 3 * (rho / left) * across) / left;
 
     c.rest = *pendulum;
     c.rest.mass = rest_mass;
@@ -125,11 +126,11 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     c.vx = pendulum->rate * rho * fx + ux;
     c.vy = pendulum->rate * rho * fy + uy;
     c.rate = pendulum->rate + Omega;
-    c.L1 = rest_mass * left * left * c.rest.rate / 3;
-    c.L2 = c.mass * (part * part * c.rate / 12 + rho * (rho * pendulum->rate + across));
-    c.T1 = pendulum->mass * pendulum->length * pendulum->length * pendulum->rate * pendulum->rate / 6;
+    c.L1 = rest_mass * left * c.rest.rate * left / 3;
+    c.L2 = c.mass * (part * (part * c.rate) / 12 + rho * (rho * pendulum->rate + across));
+    c.T1 = pendulum->mass * (pendulum->length * pendulum->rate) * (pendulum->length * pendulum->rate) / 6;
     c.T_S1 = c.L1 * c.rest.rate / 2;
-    c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * part * c.rate * c.rate / 24);
+    c.T_S2 = c.mass * ((c.vx * c.vx + c.vy * c.vy) / 2 + part * c.rate * (part * c.rate) / 24);
     c.pivot_x = rest_mass * left / 2 * change * fx + c.mass * ux; /* total momentum after the cut minus before it */
     c.pivot_y = rest_mass * left / 2 * change * fy + c.mass * uy;
     if (!vmi_pendulum_cut_finite(&c)) return VM_NOT_FINITE;

@@ -20,9 +20,9 @@ static vm_real draw_s(vm_real pi)
 {
     const int kind = draw_below(4);
     const vm_real scale = is_finite(pi) ? pi : 1;
-    if (kind == 0) return drawn((double)neighbour(scale / 4 * R((int)draw_byte() - 128), draw_below(9) - 4));
+    if (kind == 0) return draw_beside(scale / 4 * R((int)draw_byte() - 128));
     if (kind == 1) return drawn((double)(scale * draw_in(-2, 2)));
-    if (kind == 2) return drawn((double)(draw_byte() & 1 ? -1 : 1) * (double)draw_log(1e-12, IS_FLOAT ? 1e4 : 1e9));
+    if (kind == 2) return draw_signed(IS_FLOAT ? 1e4 : 1e9);
     return draw_any();
 }
 

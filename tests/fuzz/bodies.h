@@ -82,7 +82,8 @@ static vm_body2 draw_body2(double size)
 {
     vm_body2 b;
     b.mass = MOSTLY(draw_log(1e-2, 1e2));
-    b.inertia = (is_finite(b.mass) ? b.mass : 1) * draw_in(0, size) * draw_in(0, size);
+    b.inertia = (is_finite(b.mass) ? b.mass : 1) * draw_in(0, size);
+    b.inertia *= draw_in(0, size);
     b.x = draw_in(-3, 3);
     b.y = draw_in(-3, 3);
     b.angle = draw_in(-4, 4);

@@ -50,7 +50,7 @@ static void check_slow_duffing(void)
 {
     static vm_odd_plan plan;
     const vm_real t_end = MOSTLY(draw_in(-12, 12)), share = draw_in(0, 1);
-    vm_real k[2], k_state[2], k_rate[2];
+    vm_real k[2], k_state[2], k_rate[2], at_0, rate;
     vm_odd_problem o;
     vm_odd_motion motion;
     vm_law laws[2];
@@ -64,8 +64,12 @@ static void check_slow_duffing(void)
         laws[1] = vm_law_exponential(k[1], k[0] / 16);
         o.force = vm_duffing_force_of_laws(laws);
     }
-    o.mass = vm_law_linear(MOSTLY(draw_log(0.5, 2)), MOSTLY(draw_in(-0.03, 0.03)));
-    o.stiffness = vm_law_exponential(MOSTLY(draw_log(0.5, 2)), MOSTLY(draw_in(-0.03, 0.03)));
+    at_0 = MOSTLY(draw_log(0.5, 2));
+    rate = MOSTLY(draw_in(-0.03, 0.03));
+    o.mass = vm_law_linear(at_0, rate);
+    at_0 = MOSTLY(draw_log(0.5, 2));
+    rate = MOSTLY(draw_in(-0.03, 0.03));
+    o.stiffness = vm_law_exponential(at_0, rate);
     o.damping = vm_law_linear(MOSTLY(draw_in(-0.02, 0.03)), 0);
     o.reactive = MOSTLY(draw_in(0, 1));
     o.x = MOSTLY(draw_in(-2, 2));

@@ -18,11 +18,10 @@ static vm_real draw_parameter(void)
 static vm_real draw_angle(void)
 {
     const int kind = draw_below(5);
-    if (kind == 0)
-        return drawn((double)neighbour(R(0.785398163397448310) * R((int)draw_byte() - 128), draw_below(9) - 4));
+    if (kind == 0) return draw_beside(R(0.785398163397448310) * R((int)draw_byte() - 128));
     if (kind == 1) return draw_in(-1.5, 1.5);
     if (kind == 2) return draw_in(-30, 30);
-    if (kind == 3) return drawn((draw_byte() & 1 ? -1 : 1) * (double)draw_log(1e-12, IS_FLOAT ? 1e4 : 1e9));
+    if (kind == 3) return draw_signed(IS_FLOAT ? 1e4 : 1e9);
     return draw_any();
 }
 

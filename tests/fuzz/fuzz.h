@@ -68,7 +68,11 @@ static vm_real drawn(double x)
 }
 
 /* in [0, 1], the ends included */
-static double draw_unit(void) { return (double)(draw_bits(6) + (draw_byte() & 1)) / 281474976710656.0; }
+static double draw_unit(void)
+{
+    const uint64_t bits = draw_bits(6);
+    return (double)(bits + (draw_byte() & 1)) / 281474976710656.0;
+}
 
 static vm_real draw_in(double low, double high)
 {
@@ -119,7 +123,10 @@ static vm_real draw_of_kind(int kind)
         return drawn((double)x);
     }
     if (kind == 1) return drawn((double)(draw_byte() & 1 ? -special() : special()));
-    if (kind == 2) return drawn((double)neighbour(draw_byte() & 1 ? -special() : special(), draw_below(7) - 3));
+    if (kind == 2) {
+        x = draw_byte() & 1 ? -special() : special();
+        return drawn((double)neighbour(x, draw_below(7) - 3));
+    }
     if (kind == 3) return drawn((double)((int)draw_byte() - 128) / 8);
     if (kind == 4) return draw_in(-4, 4);
     x = kind == 5 ? draw_log((double)VM_MIN, (double)VM_MAX) : draw_log(1e-6, 1e6);
@@ -132,6 +139,17 @@ static vm_real draw_any(void)
     const vm_real x = draw_of_kind(draw_below(8));
     if (!(x == 0 || (VM_FABS(x) >= R(1e-6) && VM_FABS(x) <= 16))) fuzz.wild = 1;
     return x;
+}
+
+/* A number beside x, up to 4 steps away. A draw is a statement of its own wherever two are in one expression: C leaves
+   the order of operands open, and a stored input must mean the same with every compiler. */
+static vm_real draw_beside(vm_real x) { return drawn((double)neighbour(x, draw_below(9) - 4)); }
+
+/* a number of either sign, at least 1e-12 in size */
+static vm_real draw_signed(double largest)
+{
+    const int sign = draw_byte() & 1 ? -1 : 1;
+    return drawn(sign * (double)draw_log(1e-12, largest));
 }
 
 /* mostly the first function of the two, now and then any number: the branches that refuse are short */

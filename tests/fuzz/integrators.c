@@ -260,7 +260,10 @@ static void check_listed(void)
     int i, done = 0, more = 0, others = 0, status, fits;
     draw_system(&r);
     draw_options(&r);
-    for (i = 0; i < r.options.n_events; i++) r.events[i].stop_after = draw_below(5) - (draw_byte() % 16 == 0);
+    for (i = 0; i < r.options.n_events; i++) {
+        r.events[i].stop_after = draw_below(5);
+        r.events[i].stop_after -= draw_byte() % 16 == 0;
+    }
     for (i = 0; i < TIMES; i++) times[i] = R(i) * way;
     if (start(&s, &r, high, 0) < 0) return;
     HOLDS(r.options.n_events == 0 || r.events[0].stop_after >= 0);

@@ -84,7 +84,7 @@ plant "inertia: of the scenes' band" scenes varmass.h \
 plant "inertia: of the broken rotor" rotor varmass.h \
     '/^VM_API int vmi_broken_rotor_rest(/,/^}/s/share \* whole->mass/share * p->mass/'
 plant "inertia: of the cut pendulum" lagrange varmass.h \
-    '/^VM_API int vm_pendulum_separate(/,/^}/s/part \* part \* c.rate \/ 12/part * part * c.rate \/ 3/'
+    '/^VM_API int vm_pendulum_separate(/,/^}/s/part \* (part \* c.rate) \/ 12/part * (part * c.rate) \/ 3/'
 plant "inertia: Lagrange's matrix" lagrange varmass.h \
     '/^VM_API void vm_lagrange_mass(/,/^}/s/+= vm_dot(turn_or_NULL\[i\], spin)/-= vm_dot(turn_or_NULL[i], spin)/'
 echo "planted: $found passed, $missed failed, $skipped skipped"

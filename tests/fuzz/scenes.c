@@ -203,9 +203,13 @@ static vm_effect draw_joints(int n, int body, int other, effect_data *data)
 {
     const vm_vec3 zero = {0, 0, 0};
     vm_joints *joints = &data->joints;
-    data->list[0] = vm_joint_pin(body, draw_vector(1), other, draw_vector(1));
+    const vm_vec3 on_body = draw_vector(1), on_other = draw_vector(1);
+    int first, second;
+    data->list[0] = vm_joint_pin(body, on_body, other, on_other);
     if (draw_byte() & 1) data->list[0] = vm_joint_rod(body, zero, other, zero, MOSTLY(draw_log(0.1, 10)));
-    data->list[1] = vm_joint_rod(draw_index(n), zero, draw_index(n), zero, MOSTLY(draw_log(0.1, 10)));
+    first = draw_index(n);
+    second = draw_index(n);
+    data->list[1] = vm_joint_rod(first, zero, second, zero, MOSTLY(draw_log(0.1, 10)));
     joints->joints = draw_byte() % 32 ? data->list : NULL;
     joints->n_joints = draw_below(3);
     joints->rate = MOSTLY(draw_log(1, 20));
@@ -236,6 +240,7 @@ static vm_effect draw_effect(int n, effect_data *data)
                   alpha = draw_byte() & 1 ? R(1) : MOSTLY(draw_in(0, 5));
     const vm_vec3 u = draw_vector(1);
     vm_real *ctx = &data->ctx;
+    int axis;
     *ctx = draw_in(-0.5, 0.5);
     switch (draw_below(28)) {
     case 24: data->spring = draw_point_spring(); return vm_effect_point_spring(body, other, &data->spring);
@@ -265,7 +270,7 @@ static vm_effect draw_effect(int n, effect_data *data)
     case 9: return vm_effect_gyroscopic(body, p / 2);
     case 10: return vm_effect_link(body, other, moving_point, ctx, positive, draw_below(2), 10);
     case 11: return vm_effect_mass_law(body, mass_law, ctx, u, R(1 - draw_below(2)));
-    case 12: return vm_effect_mass(body, draw_below(3), *ctx / 10, p, R(1 - draw_below(2)));
+    case 12: axis = draw_below(3); return vm_effect_mass(body, axis, *ctx / 10, p, R(1 - draw_below(2)));
     case 13: return vm_effect_stream(body, *ctx / 5, u, R(1 - draw_below(2)));
     case 23: /* a share of the springs, so that stored inputs of other effects keep their meaning */
         if (coordinate == 1) return vm_effect_gravitation(body, other, p);
@@ -302,7 +307,8 @@ static vm_event draw_attachment(vm_event event, int body, int added)
 static vm_event draw_list(vm_event event, int n, int effects, vm_event *actions)
 {
     const int body = draw_index(n);
-    actions[0] = vm_then_switch_range(event, draw_index(effects), draw_below(4) - 1, draw_byte() & 1);
+    const int first = draw_index(effects), count = draw_below(4) - 1;
+    actions[0] = vm_then_switch_range(event, first, count, draw_byte() & 1);
     actions[1] = draw_byte() & 1 ? draw_separation(event, body, draw_index(n)) : vm_then_stop(event);
     return vm_then_all(event, actions, 2);
 }
@@ -312,6 +318,7 @@ static vm_event draw_event(int n, int effects, vm_real *ctx, vm_contact *contact
     const int body = draw_index(n), coordinate = draw_coordinate(), direction = draw_below(3) - 1;
     const vm_real value = MOSTLY(draw_in(-2, 2)), time = MOSTLY(draw_in(0, 2));
     vm_event event;
+    int effect;
     *ctx = draw_in(0, 2);
     *contact = draw_contact();
     switch (draw_below(7)) {
@@ -326,7 +333,7 @@ static vm_event draw_event(int n, int effects, vm_real *ctx, vm_contact *contact
     default: event = vm_event_at(time);
     }
     switch (draw_below(6)) {
-    case 0: return vm_then_switch(event, draw_index(effects), draw_byte() & 1);
+    case 0: effect = draw_index(effects); return vm_then_switch(event, effect, draw_byte() & 1);
     case 1: return draw_separation(event, body, draw_index(n));
     case 2: return draw_attachment(event, body, draw_index(n));
     case 3: return vm_then_user(event, user_then, NULL);

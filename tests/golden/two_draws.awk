@@ -1,13 +1,14 @@
 # Names the places where one call or one list in braces draws two random arguments: C leaves open which of them is drawn
-# first, so that gcc and clang print other hashes. Prints FILE: STATEMENT; nothing where all is well.
-# usage: awk -f two_draws.awk FILE..., from any place
+# first, so that gcc and clang draw other numbers. Prints FILE: STATEMENT; nothing where all is well.
+# usage: awk -v draws=NAMES -f two_draws.awk FILE..., from any place; NAMES: a regular expression of the functions that draw
 
 function draws_twice(statement, depth, drawn, i, rest) {
     for (i = 1; i <= length(statement); i++) {
         rest = substr(statement, i)
-        if (depth > 0 && match(rest, /^[^a-z_](uniform|vector|some_[a-z]+)\(/)) drawn[depth]++
-        if (substr(rest, 1, 1) ~ /[({]/) drawn[++depth] = substr(rest, 2) ~ /^(uniform|vector|some_[a-z]+)\(/
+        if (depth > 0 && match(rest, "^[^A-Za-z0-9_({](" draws ")[(]")) drawn[depth]++
+        if (substr(rest, 1, 1) ~ /[({]/) drawn[++depth] = substr(rest, 2) ~ "^(" draws ")[(]"
         if (drawn[depth] > 1) return 1
+        if (rest ~ /^([?:]|&&|[|][|])/) drawn[depth] = 0 # what is before these is drawn first, or is not drawn
         if (substr(rest, 1, 1) ~ /[)}]/ && depth > 0) depth--
     }
     return 0
