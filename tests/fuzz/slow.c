@@ -77,11 +77,12 @@ static void check_van_der_pol_law(void)
     static const int routes[] = {VM_ROUTE_ATEB,        VM_ROUTE_ORDER2, VM_ROUTE_ORDER3,
                                  VM_ROUTE_COLLOCATION, VM_ROUTE_RK87,   VM_ROUTE_TRIG};
     const vm_real t = MOSTLY(draw_in(-5, 30)), x = MOSTLY(draw_in(-2, 2)), rate = MOSTLY(draw_in(-2, 2));
-    const vm_real tolerance = draw_log(1e-6, 1e-2);
+    const vm_real tolerance = draw_log(1e-6, 1e-2), strict = tolerance / 1000;
     vm_osc_motion law, other;
     vm_vdp_cycle cycle;
     vm_vdp_plan plan;
     vm_vdp v;
+    double allowed;
     int i, status;
     memset(&v, 0, sizeof v);
     v.alpha = MOSTLY(draw_in(0, 7));
@@ -115,10 +116,11 @@ static void check_van_der_pol_law(void)
     HOLDS(vm_vdp_within(&v, x, rate, t, tolerance, &other) == status);
     if (status < 0) return;
     HOLDS(same_bits(law.x, other.x) && same_bits(law.v, other.v));
-    if (fuzz.wild || vm_vdp_plan_by_route(&plan, VM_ROUTE_RK87, t, tolerance, &other) < 0) return;
-    /* the estimate of rk87 compares two runs, whose errors may agree by chance: oscillators/routes.h allows for errors of 30
-       times the estimate */
-    HOLDS(within(law.x, other.x, 30 * ((double)law.error + (double)other.error) * (double)other.amplitude));
+    /* The reference is a stricter integration. The estimate of rk87 compares two runs, whose errors may agree by chance, at
+       a spring with alpha < 1 up to 100 times the estimate; its error is then still near its tolerance. */
+    if (fuzz.wild || vm_vdp_plan_by_route(&plan, VM_ROUTE_RK87, t, strict, &other) < 0) return;
+    allowed = 30 * ((double)law.error + (double)other.error) + 10 * (double)strict;
+    HOLDS(within(law.x, other.x, allowed * (double)other.amplitude));
 }
 
 static vm_complex turning_load(vm_real t, vm_complex z, vm_complex v, void *ctx)
