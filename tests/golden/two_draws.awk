@@ -1,5 +1,5 @@
 # Names the places where one call or one list in braces draws two random arguments: C leaves open which of them is drawn
-# first, so that gcc and clang draw other numbers. Prints FILE: STATEMENT; nothing where all is well.
+# first, so that gcc and clang draw other numbers. Prints FILE: STATEMENT, and fails, where it finds one.
 # usage: awk -v draws=NAMES -f two_draws.awk FILE..., from any place; NAMES: a regular expression of the functions that draw
 
 function draws_twice(statement, depth, drawn, i, rest) {
@@ -24,7 +24,11 @@ END {
         count = split(text[file], statement, ";")
         for (k = 1; k <= count; k++) {
             sub(/^.*\) *\{/, "", statement[k])
-            if (draws_twice(statement[k])) print file ": " statement[k]
+            if (draws_twice(statement[k])) {
+                print file ": " statement[k]
+                found = 1
+            }
         }
     }
+    exit found
 }
