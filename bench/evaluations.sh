@@ -14,12 +14,11 @@ row() { # row PRECISION LINE: runs this row unless it is there
     program=$folder/row flags=
     [ "$1" = float ] && flags=-DVM_USE_FLOAT
     $compile $flags -DROW="$2" -c tests/evaluations.c -o "$program.o" || return 1
-    this_run="$1 $2: COUNT=$count SEED=$seed machine code $(cksum <"$program.o")"
-    grep -sqF "$this_run: " $kept && return
+    code="COUNT=$count SEED=$seed machine code $(cksum <"$program.o")"
+    grep -sqF "$1 $2: $code: " $kept && return
     $compile "$program.o" -o "$program" -lm || return 1
     result=$("$program" "$count" "$seed" "$2") || { echo "$result"; return 1; }
-    { grep -sv "^$1 $2: " $kept; echo "$this_run: $result"; } | sort -t ' ' -k 1,1 -k 2,2n >"$folder/kept"
-    mv "$folder/kept" $kept
+    sh tests/keep_line.sh $kept "$1 $2" "$code" "$result"
 }
 $compile tests/evaluations.c -o "$folder/all" -lm || exit 1
 "$folder/all" rows >"$folder/rows"

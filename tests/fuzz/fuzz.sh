@@ -18,19 +18,14 @@ fi
 mkdir -p "$build"
 
 flags_of() { [ "$1" = double ] || echo -DVM_USE_FLOAT; } # flags_of PRECISION
-start_of() { # start_of TARGET PRECISION: the start of its line, with the time and a checksum of the machine code, without sanitizers
-    echo "$1 $2: $each s, $(clang -std=c99 -O1 $(flags_of "$2") -S "tests/fuzz/$1.c" -o - | cksum): "
+code_of() { # code_of TARGET PRECISION: the run's time and a checksum of the target's machine code, without sanitizers
+    echo "$each s, $(clang -std=c99 -O1 $(flags_of "$2") -S "tests/fuzz/$1.c" -o - | cksum)"
 }
-is_kept() { grep -sqF "$(start_of "$1" "$2")" $kept; } # is_kept TARGET PRECISION
-keep() {                                               # keep TARGET PRECISION: the line of a run that came to its end
-    [ -f "$build/$1-$2.result" ] || return
-    { grep -sv "^$1 $2: " $kept; echo "$(start_of "$1" "$2")$(cat "$build/$1-$2.result")"; } | LC_ALL=C sort >"$build/kept"
-    mv "$build/kept" $kept
-    rm "$build/$1-$2.result"
-}
+is_kept() { grep -sqF "$1 $2: $(code_of "$1" "$2"): " $kept; } # is_kept TARGET PRECISION
 fuzz() { # fuzz TARGET PRECISION
     is_kept "$1" "$2" && return
     program=$build/$1-$2
+    code_of "$1" "$2" >"$program.code"
     rm -f "$program.result"
     mkdir -p "$program.corpus"
     clang -std=c99 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined $(flags_of "$2") \
@@ -48,7 +43,9 @@ for target in "$@"; do
     fuzz "$target" float
     wait
     for precision in double float; do
-        keep "$target" $precision
+        run=$build/$target-$precision
+        [ ! -f "$run.result" ] || sh tests/keep_line.sh $kept "$target $precision" "$(cat "$run.code")" "$(cat "$run.result")"
+        rm -f "$run.result"
         if is_kept "$target" $precision; then
             grep "^$target $precision: " $kept
             passed=$((passed + 1))
