@@ -141,8 +141,10 @@ static vm_real draw_any(void)
     return x;
 }
 
-/* A number beside x, up to 4 steps away. A draw is a statement of its own wherever two are in one expression: C leaves
-   the order of operands open, and a stored input must mean the same with every compiler. */
+/* Draws must not share an expression: C leaves open which is made first, and a stored input must mean the same with
+   every compiler. */
+
+/* x, or one of its four neighbours on either side */
 static vm_real draw_beside(vm_real x) { return drawn((double)neighbour(x, draw_below(9) - 4)); }
 
 /* a number of either sign, at least 1e-12 in size */

@@ -415,7 +415,8 @@ static void check_separate2(const jump2 *j)
           memcmp(&again, &rest, sizeof rest) == 0);
     if (status == VM_OK) check_momentum2(j, &rest);
     in_space = vm_body_from_body2(&rest);
-    if (rest.inertia < VM_MAX / 4 && (rest.inertia == 0 || rest.inertia > VM_MIN / VM_EPSILON))
+    if (rest.inertia < R(0.49) * VM_MAX && /* twice the inertia, the trace, does not overflow */
+        (rest.inertia == 0 || rest.inertia > VM_MIN / VM_EPSILON))
         HOLDS(vm_inertia_is_possible(&in_space.inertia));
 }
 

@@ -240,7 +240,7 @@ static vm_effect draw_effect(int n, effect_data *data)
                   alpha = draw_byte() & 1 ? R(1) : MOSTLY(draw_in(0, 5));
     const vm_vec3 u = draw_vector(1);
     vm_real *ctx = &data->ctx;
-    int axis;
+    int kind;
     *ctx = draw_in(-0.5, 0.5);
     switch (draw_below(28)) {
     case 24: data->spring = draw_point_spring(); return vm_effect_point_spring(body, other, &data->spring);
@@ -270,7 +270,7 @@ static vm_effect draw_effect(int n, effect_data *data)
     case 9: return vm_effect_gyroscopic(body, p / 2);
     case 10: return vm_effect_link(body, other, moving_point, ctx, positive, draw_below(2), 10);
     case 11: return vm_effect_mass_law(body, mass_law, ctx, u, R(1 - draw_below(2)));
-    case 12: axis = draw_below(3); return vm_effect_mass(body, axis, *ctx / 10, p, R(1 - draw_below(2)));
+    case 12: kind = draw_below(3); return vm_effect_mass(body, kind, *ctx / 10, p, R(1 - draw_below(2)));
     case 13: return vm_effect_stream(body, *ctx / 5, u, R(1 - draw_below(2)));
     case 23: /* a share of the springs, so that stored inputs of other effects keep their meaning */
         if (coordinate == 1) return vm_effect_gravitation(body, other, p);
