@@ -4897,7 +4897,7 @@ VM_API int vm_pendulum_separate(const vm_pendulum *pendulum, vm_real part, vm_re
     left = pendulum->length - part;
     rest_mass = pendulum->mass * (left / pendulum->length);
     across = ux * fx + uy * fy; /* component of the relative velocity orthogonal to the rod */
-    ratio = part / left; /* no products of lengths alone, here and below: they could underflow */
+    ratio = part / left; /* with it no power of a length is computed, which could underflow */
     change = -ratio * (ratio * part * Omega / 4 + 3 * (rho / left) * across) / left;
 
     c.rest = *pendulum;
