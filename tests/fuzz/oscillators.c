@@ -185,10 +185,11 @@ static int tame_problem(const vm_osc_problem *p)
            VM_FABS(p->v) < 4;
 }
 
-/* Does the law bring its user a million panels of time? It may: change_time is refused below |t|/2^20 only. */
+/* Does the law change so fast that a motion until t takes more than ten thousand steps? A step is at most change_time long,
+   and change_time may be as small as |t|/2^20. */
 static int changes_fast(const vm_law *law, vm_real t)
 {
-    return law->change_time > 0 && VM_FABS(t) > R(65536) * law->change_time;
+    return law->change_time > 0 && VM_FABS(t) > R(1e4) * law->change_time;
 }
 
 /* The integrators give up after 2^23 periods of 2^13 steps each, which takes hours. Here a run has thousands of
