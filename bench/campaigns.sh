@@ -87,8 +87,8 @@ while IFS= read -r line <&3; do
     if $(field "$line" 3) >$folder/"$name".log 2>&1; then
         result=$(grep -E "$(field "$line" 4)" $folder/"$name".log | tail -n 5 | tr -s ' ' | sed 's/[|]/\\|/g; s/^ //' | paste -s -d ';' - |
             sed 's/;/; /g')
-        new_row "$line" "$stamp" "${result:-passed}"
         echo "$name: $result"
+        new_row "$line" "$stamp" "${result:-passed}"
     else
         failed="$failed $name"
         echo "$name: FAILED, see $folder/$name.log"
