@@ -169,6 +169,17 @@ bounded() { # every loop has its entry in tests/loops.txt, and no entry is left 
 }
 check "every loop has a known bound" bounded
 
+lines_are_there() { # lines_are_there LIST: has each header the lines that LIST names?
+    awk -F '\t' '
+        FNR == 1 && FILENAME ~ /\.h$/ {header = FILENAME; sub(/\.h$/, "", header)}
+        FILENAME ~ /\.h$/ {sub(/^ +/, ""); has[header, $0] = 1; next}
+        !/^#/ && !(($1, $2) in has) {print $1 ".h has no such line: " $2; missing = 1}
+        END {exit missing}' varmass.h ateb.h jacobi.h integrators.h "$1"
+}
+check "the lines of tests/mutants.txt are in the headers" lines_are_there tests/mutants.txt
+printf 'jacobi\tno such line;\n' >"$build/mutants"
+check "a line that is not in its header is found" fails lines_are_there "$build/mutants"
+
 # No function of the headers calls itself, directly or by others: the graph of calls has no loop, which tsort would report.
 # Calls by pointers are not in it.
 calls() { # calls FLAG...: pairs of a function and one that it calls
