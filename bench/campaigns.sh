@@ -16,16 +16,16 @@ scan; ateb jacobi; make scan; passed, ; errors of the special functions at a mil
 points; ateb jacobi; make points; passed, ; errors of the special functions at 20 000 new points of each table of true values, which are computed with arbitrary precision
 routes; ateb jacobi integrators varmass; make routes; passed, ; errors and estimated errors of the motions of 2000 random oscillators by all routes (formulas and integrators)
 exhaustive; ateb jacobi; make exhaustive; passed, ; errors of functions in float, at every float within one period
-evaluations; ateb jacobi varmass; make evaluations; ^all|violations; whether the special functions keep to their ranges, symmetries and identities at random arguments
+evaluations; ateb jacobi varmass; make evaluations COUNT=1000000000; ^all|violations; whether the special functions keep to their ranges, symmetries and identities at random arguments
 events; integrators; make test-events; passed, ; whether integrators find every event exactly once, in random runs whose events coincide, jump or vanish
-refusals; ateb jacobi integrators varmass; make test-refusals; passed, ; whether each function, called with random numbers of any size, refuses them or gives finite results
+refusals; ateb jacobi integrators varmass; make test-refusals ROUNDS=1000000; passed, ; whether each function, called with random numbers of any size, refuses them or gives finite results
 threads; ateb jacobi integrators varmass; make test-threads; passed|equal; whether eight threads at once compute results with the same bits as one thread, under ThreadSanitizer
 coverage; ateb jacobi integrators varmass; make coverage; [.]h ; how many lines the tests execute, and how many outcomes of conditions occur in the tests
-mutation; ateb jacobi integrators varmass; make test-mutate; caught, ; how many deliberate errors in the headers the tests notice
+mutation; ateb jacobi integrators varmass; make test-mutate MUTANTS=40 SEED=46; caught, ; how many deliberate errors in the headers the tests notice
 proof; ateb jacobi integrators varmass; make proof; passed|kinds of alarms; a proof, by abstract interpretation, that certain run-time errors cannot occur at any arguments in jacobi.h, ateb.h, integrators.h and three quarters of varmass.h
 kernels; ateb jacobi; make proof-kernels KERNELS=full; passed, ; a proof, by Gappa and Sollya, of bounds for the errors of basic functions (kernels)
 sanitizers; ateb jacobi integrators varmass; make test-sanitize; passed, ; what sanitizers, valgrind and static analysers find
-fuzz; ateb jacobi integrators varmass; make test-fuzz; planted|passed, ; whether calls of all functions with generated inputs find errors, and whether such calls find deliberate errors
+fuzz; ateb jacobi integrators varmass; make test-fuzz SECONDS=16800; ^fuzz: |^planted: ; whether calls of all functions with generated inputs find errors, and whether such calls find deliberate errors
 cross; ateb jacobi integrators varmass; make test-cross; ^cross: ; whether results have the same bits, and the tests pass, on every target (processor and compiler)
 peers; ateb jacobi integrators varmass; make peers; ^No peer|^A peer; times and errors of the kit, compared with those of GSL, Boost and SUNDIALS
 cost; ateb jacobi integrators varmass; make cost; ^wrote; times of all routes (methods of computing), on a machine that does nothing else
@@ -64,9 +64,10 @@ code the campaigns found.
 |---|---|---|---|---|
 END
         while IFS= read -r line <&4; do
-            name=${line%%; *} stamp=$(column "${line%%; *}" 4) result=$(column "${line%%; *}" 5)
-            [ "$line" != "$1" ] || stamp=$2 result="$3 |"
-            echo "| $name | \`$(field "$line" 3)\` | $(field "$line" 5) | ${stamp:-not run since hashes are recorded} | ${result:-- |}"
+            part=${line%%; *}
+            headers=$(column "$part" 4) found=$(column "$part" 5)
+            [ "$line" != "$1" ] || headers=$2 found="$3 |"
+            echo "| $part | \`$(field "$line" 3)\` | $(field "$line" 5) | ${headers:-not run since hashes are recorded} | ${found:-- |}"
         done 4<$folder/parts
         printf '\nThe results on this page were obtained with earlier headers, except for the rows whose hashes are those of the present headers.\n'
     } >$folder/new
