@@ -51,7 +51,7 @@ def sine_case(m, e, low, high, bound, tight):
 def sine(precision, bound, full):
     """Binades of the sine, the highest in parts. z.hi is at least asin(2^e) (1 - 2^-20), since a sine in this binade has
     a relative error far below 2^-20. In the binades below 2^-538 (float 2^-76) z.hi^2 is less than half the smallest
-    subnormal number, so that t = 0 and w = 1: there the sine is z.hi + z.lo, rounded, and errs by 0.5 ulp."""
+    subnormal number, so that t = 0 and w = 1. There the sine is z.hi + z.lo, rounded once; see docs/proof.md."""
     m = Model(precision)
     least = (-76 if precision.single else -538) if full else -40
     for e in range(-1, least - 1, -1):
