@@ -350,24 +350,26 @@ static void test_unresolvable_jumps(void)
     }
 }
 
-/* The derivative of each stage counts in the mean of the smallest and the largest one, whichever stage it belongs to. */
+/* The derivative of each stage counts in the mean of the smallest and the largest one, whichever stage it belongs to. The
+   parts of work are M numbers apart, as for M components. */
 static void test_middle_slope(void)
 {
-    enum { STAGES = 7 };
-    vm_real w[VMI_K + STAGES];
+    enum { STAGES = 7, M = 3 };
+    vm_real w[(VMI_K + STAGES) * M];
     vmi_rk_system sys;
     int extreme, i;
     memset(&sys, 0, sizeof sys);
     sys.n = 1;
-    sys.m = 1;
+    sys.m = M;
     sys.w = w;
     for (extreme = 0; extreme < STAGES; extreme++) {
-        for (i = 0; i < VMI_K + STAGES; i++) w[i] = 1;
-        w[VMI_K + extreme] = 5;
-        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)) && w[VMI_Z] == R(2.5)); /* 1 + 0.5 * (1 + 5)/2 */
-        w[VMI_K + extreme] = -3;
-        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)) && w[VMI_Z] == R(0.5));
-        w[VMI_K + extreme] = -VM_INFINITY;
+        vm_real *k = w + (VMI_K + extreme) * M;
+        for (i = 0; i < (VMI_K + STAGES) * M; i++) w[i] = 1;
+        *k = 5;
+        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)) && w[VMI_Z * M] == R(2.5)); /* 1 + 0.5 * (1 + 5)/2 */
+        *k = -3;
+        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)) && w[VMI_Z * M] == R(0.5));
+        *k = -VM_INFINITY;
         CHECK(!vmi_take_middle_slope(STAGES, sys, R(0.5)));
     }
 }

@@ -109,6 +109,24 @@ static rk45_options with_events(double tol, ode_event *events, int n)
     return o;
 }
 
+/* An event that another run has used begins anew: its internal fields are those of an event that was never used. */
+static void test_used_event(void)
+{
+    const vm_real y0[2] = {1, 0};
+    vm_real work[RK87_WORK(2)];
+    const ode_event fresh = event(level, NULL, 0, ODE_RECORD);
+    ode_event used = fresh;
+    const rk45_options o = with_events(1e-3, &used, 1);
+    rk45 s;
+    used.count = 3;
+    used.t = used.slack = used.slack_ahead = used.quiet = used.quiet_ahead = used.from = R(0.5);
+    used.side = used.side_ahead = used.happens = 1;
+    CHECK(m->init(&s, circle, NULL, 2, 0, y0, &o, work) == ODE_OK);
+    CHECK(used.count == fresh.count && used.t == fresh.t && used.from == fresh.from && used.happens == fresh.happens);
+    CHECK(used.side == fresh.side && used.slack == fresh.slack && used.quiet == fresh.quiet);
+    CHECK(used.side_ahead == fresh.side_ahead && used.slack_ahead == fresh.slack_ahead && used.quiet_ahead == fresh.quiet_ahead);
+}
+
 /* Zeros of cos t and sin t up to t = 20, recorded: all of them, in order, none at the start, where sin t is 0 */
 static void test_record(void)
 {
@@ -744,6 +762,34 @@ static void test_two_changes(void)
     check_error("two balls", m->name, "", fabs((double)s.y[0] - 0.375), is_float ? 1e-3 : 1e-9, 1.5, 0);
 }
 
+/* Negative for y0 between 1/4 and 3/4 */
+static vm_real dip(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return (y[0] - R(0.25)) * (y[0] - R(0.75));
+}
+
+/* One step reaches from 0 to 1. The first event's function has the same sign at both ends, so that its zeros are not seen
+   until the second event ends the step at 1/2. Then the zero at 1/4 must be found, which comes earlier. */
+static void test_dip_before_another_event(void)
+{
+    const vm_real y0 = 0;
+    vm_real work[RK87_WORK(1)];
+    ode_event e[2];
+    rk45_options o;
+    rk45 s;
+    e[0] = event(dip, NULL, 0, ODE_STOP);
+    e[1] = event(above_half, NULL, 0, ODE_STOP);
+    e[0].checks = -1;
+    o = with_events(1e-6, e, 2);
+    o.h0 = 2;
+    CHECK(m->init(&s, uniform_motion, NULL, 1, 0, &y0, &o, work) == ODE_OK);
+    CHECK(m->solve(&s, 1) == ODE_EVENT && s.event == 0 && s.steps == 1);
+    check_error("dip", m->name, "eps", fabs((double)s.t - 0.25) / eps, 4, 0.25, 0);
+    CHECK(m->solve(&s, 1) == ODE_EVENT && s.event == 1);
+}
+
 /* A ball that bounces for ever, whose contact counts in both directions: it touches the floor once each time, however
    far from 0 the clock began and however short the steps are. Ten bounces up to t0 + 20. */
 static void test_reversal(double t0, double h_max)
@@ -770,7 +816,9 @@ int main(void)
         test_same_zero(1e-3);
         test_same_zero(1e-6);
         if (!is_float) test_same_zero(1e-12);
+        test_used_event();
         test_two_changes();
+        test_dip_before_another_event();
         test_together_at_an_end();
         test_reversal(0, 1e-2);
         if (!is_float) {

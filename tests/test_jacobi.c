@@ -123,6 +123,36 @@ static void check_solve_K(const char *region, double m, double K, double K_low, 
     check_error("solve_K", region, "ulp", fmax(0, error - by_one_ulp) / ULP(m), 4, (double)c, m);
 }
 
+/* E(m) for 0 < m < 1, by the arithmetic-geometric mean (DLMF 19.8.6) in long double */
+static long double long_E(long double m)
+{
+    long double a = 1, b = sqrtl(1 - m), rest = 1 - m / 2, power = 1;
+    while (a - b > 4 * LDBL_EPSILON) {
+        const long double half = (a - b) / 2;
+        b = sqrtl(a * b);
+        a -= half;
+        rest -= power * half * half;
+        power *= 2;
+    }
+    return acosl(-1) / 2 * rest / a;
+}
+
+/* The errors of E have both signs equally often, so that their mean is small. A low word that is left out, or has a wrong
+   size, shows in the mean more than in the largest error. */
+static void test_mean_error_of_E(void)
+{
+    const int n = 5000;
+    double sum = 0;
+    int i;
+    if (LDBL_EPSILON > (double)VM_EPSILON / 100) return; /* no type with more digits */
+    for (i = 0; i < n; i++) {
+        const vm_real m = (vm_real)uniform(0, 0.97);
+        const long double E = long_E((long double)m);
+        sum += (double)((long double)jacobi_E(m) - E) / ULP((double)E);
+    }
+    check_error("E", "mean error", "ulp", fabs(sum) / n, 0.04, n, sum);
+}
+
 static void test_complete(void)
 {
     static const struct {
@@ -786,6 +816,7 @@ int main(void)
     test_quotient_table();
     test_amplitude_table();
     test_complete();
+    test_mean_error_of_E();
     test_means();
     test_identities();
     test_derivatives();

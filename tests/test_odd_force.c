@@ -452,6 +452,7 @@ static void test_backward(void)
 /* With damping an outer motion falls into a well. The plan's reach ends before, and within integrates across. */
 static void test_crossing(void)
 {
+    vm_real softening[2] = {1, -1};
     vm_odd_problem o = numbered(4);
     vm_odd_motion m, again;
     o.damping = vm_law_linear(0.02, 0);
@@ -481,6 +482,9 @@ static void test_crossing(void)
     CHECK(vm_odd_plan_init(&plan, &o, 0.5) == VM_OK && plan.reach == 0);
     CHECK(vm_odd_plan_by_route(&plan, VM_ODD_MEAN, 0.5, 0, &m) == VM_NO_LAW);
     CHECK(vm_odd_plan_within(&plan, 0.5, 1e-8, &m) == VM_OK && is_nan(m.amplitude) && m.x > 2);
+    o.force = vm_odd_force_user(cubic, softening);
+    CHECK(vm_odd_plan_init(&plan, &o, 0.5) == VM_OK);
+    CHECK(vm_odd_plan_by_route(&plan, VM_ODD_RK87, 0.5, 0, &m) == VM_OK && is_nan(m.amplitude) && m.x > 2);
 }
 
 /* Where the laws are constant the averaged motion is the exact one. */

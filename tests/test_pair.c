@@ -79,6 +79,17 @@ static void test_below_ripple(void)
     CHECK(vm_pair_at(&p, 1, slow, back) == VM_OK && back[0] - back[0] == 0);
 }
 
+/* Where three iterations do not find the mean amplitude of a motion, because its ripple is as large as the motion, the motion
+   is refused; a larger motion of the same pair is not. */
+static void test_iteration_does_not_converge(void)
+{
+    const vm_pair p = make_pair(5, 1, 1, linear(1, -0.5));
+    const vm_real small[4] = {0, R(0.032), 0, R(1.3e-4)}, large[4] = {0, R(0.32), 0, R(1.3e-2)};
+    vm_real modes[4] = {7, 7, 7, 7};
+    CHECK(vm_pair_to_averaged(&p, R(1.5), small, modes) == VM_DOMAIN && modes[0] == 7);
+    CHECK(vm_pair_to_averaged(&p, R(1.5), large, modes) == VM_OK);
+}
+
 /* An amplitude that overflows is not one below the ripple. */
 static void test_amplitude_overflows(void)
 {
@@ -456,6 +467,7 @@ int main(void)
     test_coupled_refusals();
     test_modes();
     test_below_ripple();
+    test_iteration_does_not_converge();
     test_amplitude_overflows();
     test_start_of_the_example();
     test_course_of_the_example();

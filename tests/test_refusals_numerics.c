@@ -77,6 +77,7 @@ static void test_special_functions(void)
     CHECK(isnan(ateb_ln_beta(VM_NAN, 3)) && isnan(ateb_ln_beta(2, VM_NAN)) && isnan(ateb_ln_beta(-1, 3)));
     CHECK(isnan(ateb_mean_nm(2, 3, 2, 2, -1)) && isnan(ateb_mean_nm(2, 3, 2, 2, 4)));
     CHECK(isnan(ateb_mean(3, 2, -1)) && isnan(ateb_mean(3, -1, 2)) && isnan(ateb_pi_nm(2, -1)));
+    CHECK(isnan(ateb_mean_nm(1, 2, R(0.5), R(-1.5), 0)) && isnan(ateb_mean_nm(1, 2, R(-1.5), R(0.5), 0)));
 }
 
 static void test_jacobi_domain(void)
