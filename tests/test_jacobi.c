@@ -144,7 +144,7 @@ static void test_mean_error_of_E(void)
     const int n = 5000;
     double sum = 0;
     int i;
-    if (LDBL_EPSILON > (double)VM_EPSILON / 100) return; /* no type with more digits */
+    if (LDBL_EPSILON > (long double)VM_EPSILON / 100) return; /* no type with more digits */
     for (i = 0; i < n; i++) {
         const vm_real m = (vm_real)uniform(0, 0.97);
         const long double E = long_E((long double)m);
