@@ -123,11 +123,12 @@ static void check_solve_K(const char *region, double m, double K, double K_low, 
     check_error("solve_K", region, "ulp", fmax(0, error - by_one_ulp) / ULP(m), 4, (double)c, m);
 }
 
-/* E(m) for 0 < m < 1, by the arithmetic-geometric mean (DLMF 19.8.6) in long double */
+/* E(m) for 0 < m < 0.97, by six steps of the arithmetic-geometric mean (DLMF 19.8.6) in long double */
 static long double long_E(long double m)
 {
     long double a = 1, b = sqrtl(1 - m), rest = 1 - m / 2, power = 1;
-    while (a - b > 4 * LDBL_EPSILON) {
+    int i;
+    for (i = 0; i < 6; i++) {
         const long double half = (a - b) / 2;
         b = sqrtl(a * b);
         a -= half;
@@ -138,13 +139,15 @@ static long double long_E(long double m)
 }
 
 /* The errors of E have both signs equally often, so that their mean is small. A low word that is left out, or has a wrong
-   size, shows in the mean more than in the largest error. */
+   size, shows in the mean more than in the largest error. Where long double has no more digits than the type tested, the
+   test is left out; valgrind, for one, computes with fewer digits than the compiler knows of. */
 static void test_mean_error_of_E(void)
 {
     const int n = 5000;
+    volatile long double small = (long double)VM_EPSILON / 256;
     double sum = 0;
     int i;
-    if (LDBL_EPSILON > (long double)VM_EPSILON / 100) return; /* no type with more digits */
+    if (1 + small == 1) return;
     for (i = 0; i < n; i++) {
         const vm_real m = (vm_real)uniform(0, 0.97);
         const long double E = long_E((long double)m);
