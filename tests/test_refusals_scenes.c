@@ -897,7 +897,7 @@ static void test_lists_after_start(void)
 {
     static stage g;
     static vm_real rates[NUMBERS];
-    vm_budget book;
+    vm_budget book, other;
     vm_body now;
     vm_vec3 r, v;
     int which;
@@ -912,7 +912,7 @@ static void test_lists_after_start(void)
         CHECK(now.mass != now.mass);
         spoil_list(&g.s, which);
         CHECK(vm_scene_run(&g.s, &g.t, 2, g.y, g.work, NULL) == VM_BAD_ARGUMENT && g.t == 0);
-        CHECK(vm_scene_budget_at(&g.s, 0, g.y, &book) == VM_BAD_ARGUMENT);
+        CHECK(vm_scene_budget_at(&g.s, 0, g.y, &other) == VM_BAD_ARGUMENT);
         if (which != NEGATIVE_EVENTS) CHECK(vm_scene_rhs(0, g.y, rates, &g.s) == VM_BAD_ARGUMENT && rates[0] == 0);
         if (which != NO_BODIES) continue;
         vm_scene_body_at(&g.s, 0, g.y, &now);
