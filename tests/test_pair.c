@@ -249,7 +249,7 @@ static void test_bad_input(void)
 
 /* The three methods beside direct integration of the example E2 and of alpha = 3/2. Ateb's errors are of the order
    m'/(m Om); for alpha = 3 cn is as good, since it is exact there; the errors of the cosine, and of cn for 3/2, are
-   those of vm_osc_approximation_errors, times A/2. */
+   those of vm_osc_approximation_errors, times A/2, and of the velocities times the largest one. */
 static void test_three_methods(void)
 {
     static const double alphas[] = {1, 1.5, 3};
@@ -257,23 +257,30 @@ static void test_three_methods(void)
     for (i = 0; i < 3; i++) {
         const vm_osc_errors known = vm_osc_approximation_errors(R(alphas[i]));
         const double expected[3] = {0, (double)known.trig_x, (double)known.jacobi_x};
+        const double expected_v[3] = {0, (double)known.trig_v, (double)known.jacobi_v};
+        const double vmax = (double)vm_osc_vmax(2, R(sqrt(2)), R(alphas[i])); /* of y - x at the start */
         const vm_law m = linear(1, 0.01);
         vm_pair p = make_pair(alphas[i], 1, 1, m);
         vm_real y0[4] = {1, 3, 0, 0}, y[4] = {1, 3, 0, 0}, got[4] = {0, 0, 0, 0};
-        double worst[3] = {0, 0, 0};
+        double worst[3] = {0, 0, 0}, worst_v[3] = {0, 0, 0};
         rough = alphas[i] < 1.6 && alphas[i] != 1;
         for (k = 1; k <= 100; k++) {
             solve(vm_pair_rhs, &p, 4, 0.3 * (k - 1), 0.3 * k, 1e-11, y);
             for (method = 0; method < 3; method++) {
                 CHECK(vm_pair_by_method(&p, method, R(0.3 * k), y0, got) == VM_OK);
                 worst[method] = fmax(worst[method], fabs((double)(got[0] - y[0])));
+                worst_v[method] = fmax(worst_v[method], fabs((double)(got[2] - y[2])) / (vmax / 2));
                 check_error("(524)", "x + y", "abs", fabs((double)(got[0] + got[1]) - 4), by_precision(1e-12, 1e-4),
                             k, 0);
+                check_error("(524)", "x' + y'", "abs", fabs((double)(got[2] + got[3])), by_precision(1e-12, 1e-4), k, 0);
             }
         }
-        for (method = 0; method < 3; method++)
+        for (method = 0; method < 3; method++) {
             check_error("(524)", "beside integration", "abs", fabs(worst[method] - expected[method]),
                         by_precision(0.004, 0.01), alphas[i], method);
+            check_error("(524)", "v beside integr.", "vmax", fabs(worst_v[method] - expected_v[method]), 0.01, alphas[i],
+                        method);
+        }
         CHECK(alphas[i] == 1 || worst[VM_PAIR_TRIG] > 0.01); /* the cosine is not exact */
     }
     rough = 0;
