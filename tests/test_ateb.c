@@ -794,6 +794,24 @@ static void test_ln_beta(void)
     }
 }
 
+/* The density that I_x(a, b) is computed from. A wrong density need not make I_x wrong: where it is NaN or 0, the slower way by
+   logarithms is taken. */
+static void test_beta_density(void)
+{
+    const double eps = (double)VM_EPSILON;
+    int i;
+    for (i = 0; i < 2000; i++) {
+        const double a = exp(uniform(-3, 5)), b = exp(uniform(-3, 5)), x = uniform(0.01, 0.99);
+        const vm_real ar = (vm_real)a, br = (vm_real)b, xr = (vm_real)x;
+        const double ln_x = (double)ar * log((double)xr), ln_y = (double)br * log1p(-(double)xr);
+        const double ln_beta = (double)ateb_ln_beta(ar, br), expected = exp(ln_x + ln_y - ln_beta);
+        const double size = 1 + fabs(ln_x) + fabs(ln_y) + fabs(ln_beta); /* of the numbers whose roundings count here */
+        const double got = (double)vmi_beta_density(vmi_two(xr, 0), vmi_two_sum(1, -xr), ar, br);
+        if (expected < 1e-30) continue;
+        check_error("beta", "density", "eps", fabs(got / expected - 1) / size / eps, 5, a, b);
+    }
+}
+
 /* Where one index is small and the other large, a small I_x(a, b) is computed as 1 minus a tail near 1. In float the
    inverse was then outside 0 to 1. */
 static void test_beta_inverse_of_small(void)
@@ -1054,6 +1072,7 @@ int main(void)
     test_beta_corners();
     test_beta_inverse_of_small();
     test_beta_of_subnormal();
+    test_beta_density();
     test_beta_domain();
     test_beta_limits();
     test_ln_beta();
