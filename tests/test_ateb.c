@@ -812,6 +812,40 @@ static void test_beta_density(void)
     }
 }
 
+/* The last step of the inverse of I_x: the error of the point that it leads to is of the third power of the step. */
+static void test_beta_moved(void)
+{
+    const double eps = (double)VM_EPSILON, step = VM_MANT_DIG > 24 ? 1e-4 : 4e-3, allowed = step * step * step + 4 * eps;
+    int i;
+    for (i = 0; i < 1000; i++) {
+        const double t = uniform(-3, 3);
+        const vmi_beta_point from = vmi_beta_point_at((vm_real)t), wanted = vmi_beta_point_at((vm_real)t + (vm_real)step);
+        const vmi_beta_point got = vmi_beta_moved(&from, ((vm_real)t + (vm_real)step) - (vm_real)t);
+        check_error("beta point", "x", "allowed", fabs((double)(got.x / wanted.x - 1)) / allowed, 1, t, 0);
+        check_error("beta point", "y", "allowed", fabs((double)(got.y / wanted.y - 1)) / allowed, 1, t, 0);
+        check_error("beta point", "ln x", "allowed", fabs((double)(got.ln_x.hi - wanted.ln_x.hi)) / allowed, 1, t, 0);
+        check_error("beta point", "ln y", "allowed", fabs((double)(got.ln_y.hi - wanted.ln_y.hi)) / allowed, 1, t, 0);
+    }
+}
+
+/* The continued fraction beside its power series, whose terms are positive: sum of (q + 3/2)_k/(5/2)_k w^k/(3/2). In double the
+   sum itself has an error of 2 eps. */
+static void test_w_fraction(void)
+{
+    const double eps = (double)VM_EPSILON;
+    int i;
+    for (i = 0; i < 2000; i++) {
+        const vm_real q = (vm_real)uniform(0, 1), w = (vm_real)uniform(0, 0.302);
+        double sum = 0, term = 1 / 1.5;
+        int k;
+        for (k = 0; k < 60; k++) {
+            sum += term;
+            term *= ((double)q + 1.5 + k) / (2.5 + k) * (double)w;
+        }
+        check_error("w fraction", "", "eps", fabs((double)vmi_ateb_w_fraction(q, w) / sum - 1) / eps, 6, (double)q, (double)w);
+    }
+}
+
 /* Where one index is small and the other large, a small I_x(a, b) is computed as 1 minus a tail near 1. In float the
    inverse was then outside 0 to 1. */
 static void test_beta_inverse_of_small(void)
@@ -1073,6 +1107,8 @@ int main(void)
     test_beta_inverse_of_small();
     test_beta_of_subnormal();
     test_beta_density();
+    test_beta_moved();
+    test_w_fraction();
     test_beta_domain();
     test_beta_limits();
     test_ln_beta();
