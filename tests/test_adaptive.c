@@ -351,25 +351,29 @@ static void test_unresolvable_jumps(void)
 }
 
 /* The derivative of each stage counts in the mean of the smallest and the largest one, whichever stage it belongs to. The
-   parts of work are M numbers apart, as for M components. */
+   parts of work are M numbers apart, as for M components, and are 1 where no other number is set. */
 static void test_middle_slope(void)
 {
-    enum { STAGES = 7, M = 3 };
+    enum { STAGES = 7, M = 4 };
     vm_real w[(VMI_K + STAGES) * M];
     vmi_rk_system sys;
     int extreme, i;
     memset(&sys, 0, sizeof sys);
-    sys.n = 1;
+    sys.n = 2;
     sys.m = M;
     sys.w = w;
     for (extreme = 0; extreme < STAGES; extreme++) {
         vm_real *k = w + (VMI_K + extreme) * M;
         for (i = 0; i < (VMI_K + STAGES) * M; i++) w[i] = 1;
-        *k = 5;
-        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)) && w[VMI_Z * M] == R(2.5)); /* 1 + 0.5 * (1 + 5)/2 */
-        *k = -3;
-        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)) && w[VMI_Z * M] == R(0.5));
-        *k = -VM_INFINITY;
+        k[0] = 5;
+        k[1] = 9;
+        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)));
+        CHECK(w[VMI_Z * M] == R(2.5) && w[VMI_Z * M + 1] == R(3.5)); /* 1 + 0.5 * (1 + 5)/2 and 1 + 0.5 * (1 + 9)/2 */
+        k[0] = -3;
+        k[1] = -7;
+        CHECK(vmi_take_middle_slope(STAGES, sys, R(0.5)));
+        CHECK(w[VMI_Z * M] == R(0.5) && w[VMI_Z * M + 1] == R(-0.5));
+        k[1] = -VM_INFINITY;
         CHECK(!vmi_take_middle_slope(STAGES, sys, R(0.5)));
     }
 }
