@@ -109,6 +109,21 @@ static void test_asked_no_further(void)
         }
 }
 
+/* An error of the integral of the phase is an error of the phase, Om times as large, and is added to the estimate. */
+static void test_error_of_phase(void)
+{
+    const vm_osc_problem o = problem(1.7, vm_law_exponential(1, R(0.002)), 1, 0);
+    vm_osc_plan p;
+    vmi_osc_mean mean;
+    double before, added;
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK && vmi_osc_mean_at(&p, 10, &mean) == VM_OK);
+    mean.error = 0;
+    before = (double)vmi_osc_rounding(&p, &mean);
+    mean.error = R(0.25);
+    added = (double)vmi_osc_rounding(&p, &mean) - before;
+    check_error("error of the phase", "added", "rel", fabs(added / (0.25 * (double)p.Om) - 1), is_float ? 1e-6 : 1e-14, 0, 0);
+}
+
 /* Laws whose reciprocal is 1 + height g((t - at)/width), so that int dt/m is known: a bump g = exp(-z^2) on its way up
    and down, or a kink g = max(0, z) */
 typedef struct localised {
@@ -336,6 +351,7 @@ int main(void)
     test_tables();
     test_first_order();
     test_asked_no_further();
+    test_error_of_phase();
     test_localised_integrals();
     test_slow_vibration();
     test_change_time();
