@@ -124,6 +124,22 @@ static void test_error_of_phase(void)
     check_error("error of the phase", "added", "rel", fabs(added / (0.25 * (double)p.Om) - 1), is_float ? 1e-6 : 1e-14, 0, 0);
 }
 
+/* The bound of the terms of order epsilon^6 that order five leaves out, for alpha = 1, where a period of the phase is 2 pi */
+static void test_third_rate(void)
+{
+    const vm_osc_problem o = problem(1, vm_law_exponential(1, R(0.002)), 1, 0);
+    vm_osc_plan p;
+    double L, g;
+    CHECK(vm_osc_plan_init(&p, &o) == VM_OK);
+    L = (double)p.ripple.scale;
+    g = (double)p.ripple.gamma;
+    check_error("left out", "E0 E2", "rel",
+                fabs((double)vmi_expansion_third_rate(&p.ripple, 1, 0) / (L * L / 256 * fabs((1 - 5 * g) * (2 - 5 * g))) - 1),
+                is_float ? 1e-6 : 1e-14, 0, 0);
+    check_error("left out", "E0^3", "rel", fabs((double)vmi_expansion_third_rate(&p.ripple, 0, 1) / (0.01 * L * L * L) - 1),
+                is_float ? 1e-6 : 1e-14, 0, 0);
+}
+
 /* Laws whose reciprocal is 1 + height g((t - at)/width), so that int dt/m is known: a bump g = exp(-z^2) on its way up
    and down, or a kink g = max(0, z) */
 typedef struct localised {
@@ -352,6 +368,7 @@ int main(void)
     test_first_order();
     test_asked_no_further();
     test_error_of_phase();
+    test_third_rate();
     test_localised_integrals();
     test_slow_vibration();
     test_change_time();
