@@ -3,7 +3,7 @@
 load "bench/style.gp"
 csv = folder."/ateb.csv"; csv_float = folder."/ateb_float.csv"; csv_wide = folder."/ateb_wide.csv"
 set logscale xy
-set xrange [5:8000]
+set xrange [2:8000]
 set yrange [3e-17:1e-1]
 set xtics ("10 ns" 10, "100 ns" 100, "1 µs" 1000)
 set ytics ("10^{-2}" 1e-2, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10, "10^{-12}" 1e-12, "10^{-14}" 1e-14, \
@@ -14,11 +14,10 @@ error(alpha, route) = strcol(2) eq "saca; |s| < 10; alpha = ".alpha && strcol(3)
 array alpha[2] = ["3", "1.333"]
 array dash[2] = [1, 2]
 
-set label "plan, arrays\n(-O3, AVX)" at 5.3,1.5e-2 textcolor rgb purple
+set label "plan, arrays\n(-O3, AVX)" at 3,1.5e-2 textcolor rgb purple
 set label "plan" at 25,2.5e-4 center textcolor rgb red
-set label "float" at 18,8e-8 right textcolor rgb green
-set label "α = 3" at 12.8,1e-11 center textcolor rgb black
-set label "α = 4/3, dashed:\na general power" at 42,1e-11 textcolor rgb black
+set label "float" at 11.5,8e-8 right textcolor rgb green
+set label "solid: α = 3\ndashed: α = 4/3,\na general power" at 42,1e-10 textcolor rgb black
 set label "float, any α" at 150,1e-7 textcolor rgb green
 set label "any α" at 185,1.7e-16 textcolor rgb red
 set label "GSL's inverse\nbeta function" at 2000,1.5e-13 center textcolor rgb grey

@@ -7,7 +7,7 @@ set format y "10^{%L}"
 set xtics ("1 µs" 1e3, "10 µs" 1e4, "0.1 ms" 1e5, "1 ms" 1e6, "10 ms" 1e7)
 set xlabel "time of a run" offset 0,0.3
 set ylabel "error at the end" offset 0.8,0
-set xrange [(problem eq "cubic" || problem eq "orbit") ? 6e3 : 2.5e3:3e6]
+set xrange [1.6e3:2.5e7]
 set yrange [problem eq "orbit" ? 1e-11 : 5e-16:2]
 set ytics 1e-14,100
 what(p) = p eq "cubic" ? "x'' = -x³ to t = 100" : p eq "mass" ? "(m x')' = -x³, m = 1 + 0.1 t, to t = 50" : \
@@ -17,9 +17,9 @@ error(route) = strcol(2) eq problem && strcol(3) eq route ? $5 : NaN
 # route, the setting at which its name stands, and where that is from the point
 array route[7] = ["rk4_solve", "rk45_solve", "rk87_solve", "rk4_loop", "dp54_loop", "gsl_rkf45", "gsl_rk8pd"]
 array names[7] = ["rk4", "rk45", "rk87", "", "", "GSL rkf45", "GSL rk8pd"]
-array at[7] = [problem eq "orbit" ? "1.16e+04" : "6.55e+04", problem eq "cubic" ? "3.16e-14" : "1e-14", "1e-10", "", "", "1e-05", "1e-14"]
-array dx[7] = [problem eq "orbit" ? 1 : -3.5, problem eq "cubic" ? 0.2 : 1, -4.5, 0, 0, 1, problem eq "orbit" ? -2 : problem eq "cubic" ? -4 : -1]
-array dy[7] = [-0.7, -0.6, -0.4, 0, 0, 0.4, problem eq "cubic" ? -1.3 : -0.9]
+array at[7] = ["2.62e+05", problem eq "cubic" ? "3.16e-14" : "1e-14", "1e-10", "", "", "1e-05", "1e-14"]
+array dx[7] = [problem eq "orbit" ? 1 : -1, problem eq "cubic" ? 0.2 : 1, -4.5, 0, 0, 1, problem eq "orbit" ? -2 : problem eq "cubic" ? -4 : problem eq "mass" ? 0.7 : -1]
+array dy[7] = [problem eq "orbit" ? 0.4 : 1.4, -0.6, -0.4, 0, 0, 0.4, problem eq "cubic" ? -1.3 : problem eq "mass" ? -1.2 : -0.9]
 array colour[7] = [green, sky, blue, black, black, grey, grey]
 array dash[7] = [1, 1, 1, 3, 2, 1, 1]
 array shape[7] = [9, 5, 7, 8, 4, 5, 7]

@@ -12,17 +12,17 @@ set xlabel "time of sn, cn and dn together" offset 0,0.3
 set ylabel "largest error" offset 0.8,0
 error(route) = strcol(2) eq "sncndn; |u| < 2K; m = 0.5" && strcol(3) eq route ? $5 : NaN
 
-set label "AGM, 1 step" at 54,2.8e-2 textcolor rgb blue
-set label "2" at 66,5.2e-5 textcolor rgb blue
-set label "3" at 78,1.8e-10 textcolor rgb blue
-set label "4" at 91,2.5e-15 textcolor rgb blue
-set label "the same in float" at 40,1e-3 right textcolor rgb sky
+set label "AGM, 1 step" at 44,2.8e-2 textcolor rgb blue
+set label "2" at 52,5.2e-5 textcolor rgb blue
+set label "3" at 62,1.8e-10 textcolor rgb blue
+set label "4" at 78,2.5e-15 textcolor rgb blue
+set label "the same in float" at 27,1e-3 right textcolor rgb sky
 set label "float, plan" at 15.5,1.4e-6 center textcolor rgb green
-set label "float, any m" at 42,1e-8 center textcolor rgb green
+set label "float, any m" at 28,1e-8 center textcolor rgb green
 set label "plan, arrays\n(-O3, AVX)" at 4.4,3e-14 center textcolor rgb red
 set label "plan" at 18,3e-15 center textcolor rgb red
-set label "any m" at 50,3e-15 center textcolor rgb red
-set label "GSL" at 95,2e-16 textcolor rgb grey
+set label "any m" at 35,3e-15 center textcolor rgb red
+set label "GSL" at 78,2e-16 textcolor rgb grey
 plot csv_float using 6:(error("jacobi_agm_sncndn")) with linespoints lc rgb sky lw 2 pt 6 ps 0.7, \
     csv using 6:(error("jacobi_agm_sncndn")) with linespoints lc rgb blue lw 2.2 pt 7 ps 0.7, \
     csv_float using 6:(error("jacobi_sncndn")) with points lc rgb green pt 13 ps 1.4, \

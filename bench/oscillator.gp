@@ -77,10 +77,10 @@ if (!all) {
     set label "corrected" at 21,0.012 textcolor rgb black
     set label "first order" at 600,0.012 textcolor rgb red
     set label "laws of order" at 60,3e-5 textcolor rgb red
-    set label "2" at 140,6e-7 right textcolor rgb red
-    set label "3" at 140,1.6e-9 right textcolor rgb red
-    set label "4" at 140,8e-12 right textcolor rgb red
-    set label "5" at 140,1.7e-13 right textcolor rgb red
+    set label "2" at 112,6e-7 right textcolor rgb red
+    set label "3" at 112,1.6e-9 right textcolor rgb red
+    set label "4" at 112,8e-12 right textcolor rgb red
+    set label "5" at 112,1.7e-13 right textcolor rgb red
     set label "prepared" at 500,2e-15 right textcolor rgb red
     set label "at once" at 1500,2e-15 textcolor rgb red
     set label "rk87" at 1.2e5,4e-12 right textcolor rgb blue

@@ -21,7 +21,7 @@ set label "exact, any time" at 5e3,3e-16 textcolor rgb red
 set label "rk87, 10^{-12}" at 1.5e6,3e-11 textcolor rgb blue
 set label "rk87, 10^{-6}" at 5.5e5,2.5e-3 textcolor rgb blue
 set label "rk45, 10^{-9}" at 5e3,3e-11 textcolor rgb sky
-set label "rk4" at 7e4,1.7e-6 textcolor rgb green
+set label "rk4" at 3e4,3e-6 textcolor rgb green
 set label "GSL rk8pd, dashed" at 1.5e3,5e-2 textcolor rgb grey
 set label "1 turn" at 1.2e4,2e-14 textcolor rgb black
 set label "10^6" at 8e9,1.5e-3 textcolor rgb black
