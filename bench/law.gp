@@ -11,7 +11,7 @@ if (name eq "slopes") {
     set title "law of order five, cut off after order 2, 3, 4, 5"
 } else {
     set xlabel "t" offset 0,0.3
-    set xrange [0.6:2000] # the motion begins at 2; the names of the curves stand before it
+    set xrange [0.45:2000] # the motion begins at 2; the names of the curves stand before it
     set xtics ("10" 10, "100" 100, "1000" 1000)
     set title "eps = 0.01: the error of x along one motion"
 }
