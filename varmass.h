@@ -161,7 +161,7 @@
        vm_kinetic_energy              Kinetic energy of a body (93), (97), J
        vm_balance_between             Balance of momentum, angular momentum and energy before and after a jump
 
-     mechanics/bodies2: angular momentum and energy of bodies in the plane, and their conversion to bodies in space  In
+     mechanics/bodies2: angular momentum and energy of bodies in the plane, and their conversion to bodies in space
        vm_angular_momentum2           Angular momentum of a body that moves in the plane about the point (x, y), N m s
        vm_kinetic_energy2             Kinetic energy of a body that moves in the plane, J
        vm_body_from_body2             Converts a body that moves in the plane to a body in space
@@ -2489,8 +2489,8 @@ VM_API int vm_balance_between(int n_before, const vm_body *before, int n_after, 
 }
 
 #endif
-/* mechanics/bodies2.h - angular momentum and energy of bodies in the plane, and their conversion to bodies in space  In
-   the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
+/* mechanics/bodies2.h - angular momentum and energy of bodies in the plane, and their conversion to bodies in space
+   In the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
    dissertation [1]. The type of such a body, vm_body2, is in bodies.h.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega

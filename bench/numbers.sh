@@ -164,7 +164,7 @@ table() {
     number rk87_gsl_orbit "docs/cost.md, \"Integrators\", column \"1e-8\": ratio of the time of \`rk87_solve\` to that of \`gsl_rk8pd\` in the problem orbit" ratio least orbit 6 rk87_solve gsl_rk8pd
 
     number effect_least "docs/cost.md, \"Scenes and streams\", column \"adds without its arithmetic\": ratio in the row \"linear spring\"" cell least cost '^[|] linear spring [|]' 3
-    effects='linear spring|cubic spring|second damper|Van der Pol|gravity|drive|harmonic|own force|mass of time'
+    effects='linear spring|cubic spring|second damper|Van der Pol|gravity|motor|harmonic|own force|mass of time'
     number effect_most "docs/cost.md, \"Scenes and streams\", column \"adds without its arithmetic\": largest ratio of the effects that compute no power" cell most cost "^[|] ($effects) [|]" 3
     chain='^[|] 10* [|] [0-9.]+ [|]$'
     number chain_least "docs/cost.md, \"Scenes and streams\", column \"ns a body\": smallest value" cell least cost "$chain" 2

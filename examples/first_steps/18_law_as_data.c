@@ -1,6 +1,6 @@
 /* A motion as plain data. A bucket of sand rolls on a level floor. A cubic spring holds the bucket, and the sand leaks out. There
    is no exact formula for the solution x(t) of the equation m x'' + k x^3 = 0, because the mass m changes. Therefore the program
-   uses an approximate formula for x(t), called a law. The order of a law is 2, 3, 4 or 5; a law of higher order is more accurate.
+   uses an approximate formula for x(t), called a law. Its order can be 2, 3, 4 or 5; a law of higher order is more accurate.
    The struct vm_osc_closed stores all numbers that the formula contains; the size of the struct is the same for every order. The
    function vm_osc_closed_init computes these numbers once, on a PC or on a microcontroller. From these numbers vm_osc_closed_at
    computes the position x and the velocity v, in the same computing time for every time t. The field `error` of the struct is the

@@ -1,5 +1,5 @@
-/* mechanics/bodies2.h - angular momentum and energy of bodies in the plane, and their conversion to bodies in space  In
-   the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
+/* mechanics/bodies2.h - angular momentum and energy of bodies in the plane, and their conversion to bodies in space
+   In the plane a body has one moment of inertia and one angular velocity, as in the equations (35)-(39) of the
    dissertation [1]. The type of such a body, vm_body2, is in bodies.h.
 
        vm_body2 plate = {2, 0.1, 0, 0, 0, 3, 0, 8}; // mass, inertia, x, y, angle, vx, vy, omega
