@@ -13229,6 +13229,7 @@ typedef struct VM_TAG(vmi_osc_course) {
                                                   and the backward differences of these rates from one such step to the
                                                   next */
     int known[2];          /* number of earlier steps over each part from which `difference` was computed */
+    int halved;            /* how often a step was halved because its iteration did not converge */
     long evals;            /* number of evaluations of the rates */
 } vmi_osc_course;
 
@@ -13783,6 +13784,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     int status = vmi_osc_course_step_of(c, most);
     while (status == VM_NOT_INTEGRATED && most > shortest) {
         most /= 2;
+        c->halved++;
         c->contraction = VM_C(0.1);
         status = vmi_osc_course_step_of(c, most);
     }
@@ -13822,6 +13824,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     }
     c->known[0] = 0;
     c->known[1] = 0;
+    c->halved = 0;
     c->evals = 0;
 }
 
@@ -14001,7 +14004,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 {
     const int side = vmi_time_side(t);
     const vm_real looser = 16; /* sweep_limit of the loose run divided by that of the strict run */
-    const vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change), most = r->most / share;
+    vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change);
+    const vm_real most = r->most / share;
     vmi_osc_course loose, *strict = &r->strict;
     vmi_osc_slow start;
     vm_real difference = 0;
@@ -14021,6 +14025,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     }
     if (status) return status;
     strict->evals += loose.evals;
+    if (loose.halved || strict->halved) share = 1; /* such errors fall slowly as the number of points grows */
+    if (loose.halved != strict->halved) difference = vmi_larger(1, difference);
     r->error = share * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - r->state.psi));
     if (strict->t == t) return vmi_osc_end_pair(plan, t, r);
     r->error *= t / strict->t; /* errors grow in proportion to time, or faster */

@@ -185,7 +185,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
 {
     const int side = vmi_time_side(t);
     const vm_real looser = 16; /* sweep_limit of the loose run divided by that of the strict run */
-    const vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change), most = r->most / share;
+    vm_real share = vmi_osc_strict_share(&plan->problem, points, r->change);
+    const vm_real most = r->most / share;
     vmi_osc_course loose, *strict = &r->strict;
     vmi_osc_slow start;
     vm_real difference = 0;
@@ -205,6 +206,8 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     }
     if (status) return status;
     strict->evals += loose.evals;
+    if (loose.halved || strict->halved) share = 1; /* such errors fall slowly as the number of points grows */
+    if (loose.halved != strict->halved) difference = vmi_larger(1, difference);
     r->error = share * difference + strict->left + 4 * VM_EPSILON * (2 + VM_FABS(strict->psi - r->state.psi));
     if (strict->t == t) return vmi_osc_end_pair(plan, t, r);
     r->error *= t / strict->t; /* errors grow in proportion to time, or faster */

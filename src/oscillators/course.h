@@ -94,6 +94,7 @@ typedef struct VM_TAG(vmi_osc_course) {
                                                   and the backward differences of these rates from one such step to the
                                                   next */
     int known[2];          /* number of earlier steps over each part from which `difference` was computed */
+    int halved;            /* how often a step was halved because its iteration did not converge */
     long evals;            /* number of evaluations of the rates */
 } vmi_osc_course;
 
@@ -648,6 +649,7 @@ VM_API int vmi_osc_course_step(vmi_osc_course *c)
     int status = vmi_osc_course_step_of(c, most);
     while (status == VM_NOT_INTEGRATED && most > shortest) {
         most /= 2;
+        c->halved++;
         c->contraction = VM_C(0.1);
         status = vmi_osc_course_step_of(c, most);
     }
@@ -687,6 +689,7 @@ VM_API void vmi_osc_course_start(vmi_osc_course *c, const vm_osc_plan *plan, con
     }
     c->known[0] = 0;
     c->known[1] = 0;
+    c->halved = 0;
     c->evals = 0;
 }
 
