@@ -10091,6 +10091,24 @@ VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real 
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
+/* -- Rounding errors of the time -- */
+
+/* An upper bound of the relative rates at which mass, stiffness, amplitude and phase rate change, 1/s. p and a are the
+   rates at the top of this file, k_rate is k'/k. */
+VM_API vm_real vmi_osc_relative_rate(vm_real alpha, vm_real p, vm_real a, vm_real k_rate)
+{
+    return (alpha + 3) * VM_FABS(p) + 2 * VM_FABS(a) + 2 * VM_FABS(k_rate);
+}
+
+/* An estimate of the error that rounding of the time t, s, causes in a motion. The laws of mass and stiffness are only
+   known at a rounded time: where a mass f0 + f1 t is nearly exhausted, f0 and f1 t nearly cancel, and the rounding
+   error of f1 t changes the mass as much as an error of t. W is the rate of the phase at t, and relative_rate is the
+   number of vmi_osc_relative_rate, both in 1/s. */
+VM_API vm_real vmi_osc_time_rounding(vm_real t, vm_real W, vm_real relative_rate)
+{
+    return VM_EPSILON * VM_FABS(t) * (W + relative_rate);
+}
+
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
 /* Replaces the n numbers f, f', f'' ... in the array f by the first n coefficients of the power series of f in the
@@ -11036,7 +11054,8 @@ VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_
 {
     const vmi_ripple *r = &c->ripple;
     const vm_real largest_known = VM_C(0.25); /* a larger estimate says nothing about the error */
-    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error;
+    const vmi_osc_closed_rates *rates = &c->mean.rates;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error, by_time;
     vmi_osc_closed_now end;
     int k;
     vmi_osc_closed_mean_at(&c->mean, t_end, &end);
@@ -11047,10 +11066,12 @@ VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_
     }
     if (!(r->scale * e[0] < VM_C(0.5))) return VM_INFINITY;
     turns = VM_FABS(c->mean.start.W * end.phase);
+    by_time = VM_FABS(rates->p) + VM_FABS(rates->delta) + VM_FABS(c->mean.base);
+    by_time = vmi_osc_time_rounding(t_end, end.state.W, by_time / end.el);
     error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e),
                                 vmi_expansion_left_out_at_start(r, order, e0), turns,
                                 vmi_osc_closed_third(&c->mean, &end, r)) +
-            4 * VM_EPSILON * (2 + turns);
+            vmi_larger(by_time, 4 * VM_EPSILON * (2 + turns));
     return error < largest_known ? error : VM_INFINITY;
 }
 
@@ -11700,7 +11721,7 @@ enum { VMI_WALK_ORDERS = 7 };
    t = 0. A0 is the amplitude at t = 0. J is the action. */
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_slow now;      /* mass, stiffness and the numbers G_k just before t, or for t < 0 just after t; where closed
-                              forms are used, only its field p belongs to t */
+                              forms are used, only its fields p, a and k_rate belong to t */
     vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
     vm_real ln_A, ratio;   /* ln(A/A0), and (phase rate at t)/(phase rate at t = 0), by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg; 0 where closed forms are used and near time 0 */
@@ -11720,6 +11741,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real dropped;       /* integral over psi of the part of |E_0| that is not in `change` */
     vm_real shortest;      /* length of the shortest panel that was needed, s */
     vm_real error;         /* estimated error of `phase`, s */
+    vm_real rounding;      /* error of the motion by rounding of phase and time */
 } vmi_osc_mean;
 
 /* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law. A is the amplitude, Om the rate of the phase, m the mass and k
@@ -11756,6 +11778,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     mean.dropped = 0;
     mean.shortest = VM_INFINITY;
     mean.error = 0;
+    mean.rounding = 0;
     return mean;
 }
 
@@ -12106,6 +12129,8 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     mean->psi = now.state.psi;
     mean->third = vmi_osc_closed_third(&p->closed_mean, &now, &p->ripple);
     mean->now.p = p->slow.p / now.el;
+    mean->now.a = p->slow.a / now.el;
+    mean->now.k_rate = p->slow.k_rate / now.el;
     vmi_osc_closed_disturbance_at(&p->closed_mean, &now, VMI_OSC_G, mean->E);
     mean->largest = vmi_larger(mean->largest, VM_FABS(mean->E[0]));
 }
@@ -12128,6 +12153,7 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
                                                    does not last has no effect */
     int near_0 = !p->closed && p->Om * VM_FABS(t) < too_short, status = VM_OK;
     vmi_osc_rates now;
+    vm_real relative_rate, phase;
     if (near_0) { /* mass or stiffness may change even in so short a time */
         status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t), &now);
         if (status) return status;
@@ -12139,15 +12165,19 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     if (status) return status;
     if (!p->closed) vmi_osc_disturbance(&mean->now, vmi_osc_mean_state(p, mean).W, mean->E);
     if (!VM_IS_FINITE(mean->phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio)) return VM_NOT_FINITE;
+    phase = VM_FABS(p->Om * mean->phase);
+    relative_rate = vmi_osc_relative_rate(p->problem.alpha, mean->now.p, mean->now.a, mean->now.k_rate);
+    mean->rounding = vmi_larger(vmi_osc_time_rounding(t, p->Om * mean->ratio, relative_rate),
+                                4 * VM_EPSILON * (2 + phase));
     return VM_OK;
 }
 
 /* -- Estimates of the larger of |error of x|/A and |error of v|/vmax -- */
 
-/* The part of the error that comes from rounding of the phase and from the error of its integral */
+/* The part of the error that comes from rounding of phase and time, and from the error of the integral of the phase */
 VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
+    return mean->rounding + p->Om * mean->error;
 }
 
 /* Fast changes of mass and stiffness change the action J. This function returns a bound of the change of ln J. E_0
@@ -12915,12 +12945,25 @@ VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, v
     return vmi_osc_run_once(c, t, step_tolerance, strict);
 }
 
-/* Estimate of the error of the strict run, including the rounding errors of the phase */
+/* The part of the error that comes from rounding of phase and time. *last is the motion at t. Returns infinity if a law
+   fails at t. */
+VM_API vm_real vmi_osc_run_rounding(const vmi_osc_run *c, vm_real t, const vm_osc_motion *last)
+{
+    const vm_osc_problem *o = &c->plan->problem;
+    vmi_osc_rates now;
+    vm_real W, relative_rate;
+    if (vmi_osc_rates_at(o, t, -c->side, &now)) return VM_INFINITY;
+    W = vmi_osc_rate(last->amplitude, VM_SQRT(now.k / now.m), o->alpha);
+    relative_rate = vmi_osc_relative_rate(o->alpha, now.p, now.a, now.k_rate);
+    return vmi_larger(vmi_osc_time_rounding(t, W, relative_rate), 4 * VM_EPSILON * (2 + c->plan->Om * VM_FABS(t)));
+}
+
+/* Estimate of the error of the strict run, including rounding errors */
 VM_API vm_real vmi_osc_pair_error(const vmi_osc_run *c, vm_real t, vm_real step_tolerance, const vm_osc_motion *loose,
                                   const vm_osc_motion *strict)
 {
     const vmi_osc_tuning *tuning = &c->method->tuning;
-    const vm_real rounding = 4 * VM_EPSILON * (2 + c->plan->Om * VM_FABS(t));
+    const vm_real rounding = vmi_osc_run_rounding(c, t, strict + VMI_OSC_CHECKS - 1);
     const vm_real error = tuning->factor * vmi_osc_difference(c->plan, t, strict, loose) + rounding;
     return vmi_larger(tuning->by_chance * step_tolerance, error);
 }
@@ -13990,11 +14033,15 @@ typedef struct VM_TAG(vmi_osc_pair_run) {
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
+    const vmi_osc_rates *now = &r->now;
     const int status = vmi_osc_rates_at(&plan->problem, t, -strict->side, &r->now);
+    vm_real by_time;
     if (status) return status;
     r->state.psi = strict->psi;
     r->state.A = plan->A * vmi_exp(strict->ln_A, 0);
     r->state.W = plan->Om * vmi_osc_Om_ratio(plan, &r->now, strict->ln_A);
+    by_time = vmi_osc_relative_rate(plan->problem.alpha, now->p, now->a, now->k_rate);
+    r->error = vmi_larger(vmi_osc_time_rounding(t, r->state.W, by_time), r->error);
     if (!plan->problem.force) r->error *= 1 + (plan->problem.alpha + 1) / 2 * VM_FABS(r->now.p / r->state.W);
     return VM_OK;
 }

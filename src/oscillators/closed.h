@@ -240,7 +240,8 @@ VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_
 {
     const vmi_ripple *r = &c->ripple;
     const vm_real largest_known = VM_C(0.25); /* a larger estimate says nothing about the error */
-    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error;
+    const vmi_osc_closed_rates *rates = &c->mean.rates;
+    vm_real e0[VMI_OSC_G], e[VMI_OSC_G], turns, error, by_time;
     vmi_osc_closed_now end;
     int k;
     vmi_osc_closed_mean_at(&c->mean, t_end, &end);
@@ -251,10 +252,12 @@ VM_API vm_real vmi_osc_closed_error(const vm_osc_closed *c, int order, const vm_
     }
     if (!(r->scale * e[0] < VM_C(0.5))) return VM_INFINITY;
     turns = VM_FABS(c->mean.start.W * end.phase);
+    by_time = VM_FABS(rates->p) + VM_FABS(rates->delta) + VM_FABS(c->mean.base);
+    by_time = vmi_osc_time_rounding(t_end, end.state.W, by_time / end.el);
     error = vmi_expansion_error(r, vmi_expansion_left_out_at(r, order, e),
                                 vmi_expansion_left_out_at_start(r, order, e0), turns,
                                 vmi_osc_closed_third(&c->mean, &end, r)) +
-            4 * VM_EPSILON * (2 + turns);
+            vmi_larger(by_time, 4 * VM_EPSILON * (2 + turns));
     return error < largest_known ? error : VM_INFINITY;
 }
 

@@ -171,11 +171,15 @@ typedef struct VM_TAG(vmi_osc_pair_run) {
 VM_API int vmi_osc_end_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_pair_run *r)
 {
     const vmi_osc_course *strict = &r->strict;
+    const vmi_osc_rates *now = &r->now;
     const int status = vmi_osc_rates_at(&plan->problem, t, -strict->side, &r->now);
+    vm_real by_time;
     if (status) return status;
     r->state.psi = strict->psi;
     r->state.A = plan->A * vmi_exp(strict->ln_A, 0);
     r->state.W = plan->Om * vmi_osc_Om_ratio(plan, &r->now, strict->ln_A);
+    by_time = vmi_osc_relative_rate(plan->problem.alpha, now->p, now->a, now->k_rate);
+    r->error = vmi_larger(vmi_osc_time_rounding(t, r->state.W, by_time), r->error);
     if (!plan->problem.force) r->error *= 1 + (plan->problem.alpha + 1) / 2 * VM_FABS(r->now.p / r->state.W);
     return VM_OK;
 }

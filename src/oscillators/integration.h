@@ -343,12 +343,25 @@ VM_API int vmi_osc_try_pair(vmi_osc_run *c, vm_real t, vm_real step_tolerance, v
     return vmi_osc_run_once(c, t, step_tolerance, strict);
 }
 
-/* Estimate of the error of the strict run, including the rounding errors of the phase */
+/* The part of the error that comes from rounding of phase and time. *last is the motion at t. Returns infinity if a law
+   fails at t. */
+VM_API vm_real vmi_osc_run_rounding(const vmi_osc_run *c, vm_real t, const vm_osc_motion *last)
+{
+    const vm_osc_problem *o = &c->plan->problem;
+    vmi_osc_rates now;
+    vm_real W, relative_rate;
+    if (vmi_osc_rates_at(o, t, -c->side, &now)) return VM_INFINITY;
+    W = vmi_osc_rate(last->amplitude, VM_SQRT(now.k / now.m), o->alpha);
+    relative_rate = vmi_osc_relative_rate(o->alpha, now.p, now.a, now.k_rate);
+    return vmi_larger(vmi_osc_time_rounding(t, W, relative_rate), 4 * VM_EPSILON * (2 + c->plan->Om * VM_FABS(t)));
+}
+
+/* Estimate of the error of the strict run, including rounding errors */
 VM_API vm_real vmi_osc_pair_error(const vmi_osc_run *c, vm_real t, vm_real step_tolerance, const vm_osc_motion *loose,
                                   const vm_osc_motion *strict)
 {
     const vmi_osc_tuning *tuning = &c->method->tuning;
-    const vm_real rounding = 4 * VM_EPSILON * (2 + c->plan->Om * VM_FABS(t));
+    const vm_real rounding = vmi_osc_run_rounding(c, t, strict + VMI_OSC_CHECKS - 1);
     const vm_real error = tuning->factor * vmi_osc_difference(c->plan, t, strict, loose) + rounding;
     return vmi_larger(tuning->by_chance * step_tolerance, error);
 }

@@ -45,6 +45,8 @@ VM_API void vmi_osc_mean_closed(const vm_osc_plan *p, vm_real t, vmi_osc_mean *m
     mean->psi = now.state.psi;
     mean->third = vmi_osc_closed_third(&p->closed_mean, &now, &p->ripple);
     mean->now.p = p->slow.p / now.el;
+    mean->now.a = p->slow.a / now.el;
+    mean->now.k_rate = p->slow.k_rate / now.el;
     vmi_osc_closed_disturbance_at(&p->closed_mean, &now, VMI_OSC_G, mean->E);
     mean->largest = vmi_larger(mean->largest, VM_FABS(mean->E[0]));
 }
@@ -67,6 +69,7 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
                                                    does not last has no effect */
     int near_0 = !p->closed && p->Om * VM_FABS(t) < too_short, status = VM_OK;
     vmi_osc_rates now;
+    vm_real relative_rate, phase;
     if (near_0) { /* mass or stiffness may change even in so short a time */
         status = vmi_osc_rates_at(&p->problem, t, -vmi_time_side(t), &now);
         if (status) return status;
@@ -78,15 +81,19 @@ VM_API int vmi_osc_mean_at(const vm_osc_plan *p, vm_real t, vmi_osc_mean *mean)
     if (status) return status;
     if (!p->closed) vmi_osc_disturbance(&mean->now, vmi_osc_mean_state(p, mean).W, mean->E);
     if (!VM_IS_FINITE(mean->phase) || !VM_IS_FINITE(mean->ln_A) || !VM_IS_FINITE(mean->ratio)) return VM_NOT_FINITE;
+    phase = VM_FABS(p->Om * mean->phase);
+    relative_rate = vmi_osc_relative_rate(p->problem.alpha, mean->now.p, mean->now.a, mean->now.k_rate);
+    mean->rounding = vmi_larger(vmi_osc_time_rounding(t, p->Om * mean->ratio, relative_rate),
+                                4 * VM_EPSILON * (2 + phase));
     return VM_OK;
 }
 
 /* -- Estimates of the larger of |error of x|/A and |error of v|/vmax -- */
 
-/* The part of the error that comes from rounding of the phase and from the error of its integral */
+/* The part of the error that comes from rounding of phase and time, and from the error of the integral of the phase */
 VM_API vm_real vmi_osc_rounding(const vm_osc_plan *p, const vmi_osc_mean *mean)
 {
-    return 4 * VM_EPSILON * (2 + VM_FABS(p->Om * mean->phase)) + p->Om * mean->error;
+    return mean->rounding + p->Om * mean->error;
 }
 
 /* Fast changes of mass and stiffness change the action J. This function returns a bound of the change of ln J. E_0

@@ -116,6 +116,24 @@ VM_API vm_real vmi_osc_next_knot(const vm_osc_problem *o, vm_real from, vm_real 
     return vmi_law_next_knot(&o->stiffness, from, vmi_law_next_knot(&o->mass, from, t));
 }
 
+/* -- Rounding errors of the time -- */
+
+/* An upper bound of the relative rates at which mass, stiffness, amplitude and phase rate change, 1/s. p and a are the
+   rates at the top of this file, k_rate is k'/k. */
+VM_API vm_real vmi_osc_relative_rate(vm_real alpha, vm_real p, vm_real a, vm_real k_rate)
+{
+    return (alpha + 3) * VM_FABS(p) + 2 * VM_FABS(a) + 2 * VM_FABS(k_rate);
+}
+
+/* An estimate of the error that rounding of the time t, s, causes in a motion. The laws of mass and stiffness are only
+   known at a rounded time: where a mass f0 + f1 t is nearly exhausted, f0 and f1 t nearly cancel, and the rounding
+   error of f1 t changes the mass as much as an error of t. W is the rate of the phase at t, and relative_rate is the
+   number of vmi_osc_relative_rate, both in 1/s. */
+VM_API vm_real vmi_osc_time_rounding(vm_real t, vm_real W, vm_real relative_rate)
+{
+    return VM_EPSILON * VM_FABS(t) * (W + relative_rate);
+}
+
 /* -- Power series in time: element i of an array is the coefficient of the ith power -- */
 
 /* Replaces the n numbers f, f', f'' ... in the array f by the first n coefficients of the power series of f in the

@@ -34,7 +34,7 @@ enum { VMI_WALK_ORDERS = 7 };
    t = 0. A0 is the amplitude at t = 0. J is the action. */
 typedef struct VM_TAG(vmi_osc_mean) {
     vmi_osc_slow now;      /* mass, stiffness and the numbers G_k just before t, or for t < 0 just after t; where closed
-                              forms are used, only its field p belongs to t */
+                              forms are used, only its fields p, a and k_rate belong to t */
     vm_real E[VMI_OSC_G];  /* the numbers E_k = G_k/W^(k+2) at t, for the rate W of the mean phase */
     vm_real ln_A, ratio;   /* ln(A/A0), and (phase rate at t)/(phase rate at t = 0), by the adiabatic law */
     vm_real inverse_mass;  /* the integral of dt/m from 0 to t, s/kg; 0 where closed forms are used and near time 0 */
@@ -54,6 +54,7 @@ typedef struct VM_TAG(vmi_osc_mean) {
     vm_real dropped;       /* integral over psi of the part of |E_0| that is not in `change` */
     vm_real shortest;      /* length of the shortest panel that was needed, s */
     vm_real error;         /* estimated error of `phase`, s */
+    vm_real rounding;      /* error of the motion by rounding of phase and time */
 } vmi_osc_mean;
 
 /* Writes ln(A/A0) and ln(Om/Om0) by the adiabatic law. A is the amplitude, Om the rate of the phase, m the mass and k
@@ -90,6 +91,7 @@ VM_API vmi_osc_mean vmi_osc_mean_at_0(const vm_osc_plan *p)
     mean.dropped = 0;
     mean.shortest = VM_INFINITY;
     mean.error = 0;
+    mean.rounding = 0;
     return mean;
 }
 
