@@ -2784,10 +2784,11 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
 
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
    The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole are
-   added. The error of the rest's inertia is at most 8 eps of the trace of the whole's inertia. If the bodies are at a
-   distance R from the origin, the rounding of positions by eps R adds to this error. A principal moment of the rest
-   below this error becomes 0, and one that exceeds the sum of the other two by less becomes this sum; this changes the
-   angular momentum by up to the error times omega.
+   added. The entries of the rest's inertia are first computed with errors of at most 8 eps of the trace of the whole's
+   inertia. If the bodies are at a distance R from the origin, the rounding of positions by eps R adds to these errors. A
+   principal moment of the rest that may be only a rounding error then becomes 0, and one that exceeds the sum of the
+   other two becomes this sum. Without the part of R, such a moment is smaller than 50 eps of the trace. This changes the
+   angular momentum by up to the moment times omega.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
    axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about
@@ -4375,10 +4376,18 @@ VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega
    vm_broken_rotor does not allow. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
+    const vm_real smaller = vmi_ldexp(1, -64); /* with it the splitting of a mass into words does not overflow */
+    vm_broken_rotor r;
     vm_real detuning, share;
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
-    detuning = vmi_broken_rotor_detuning(rotor, Omega);
-    if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
+    r = *rotor;
+    detuning = vmi_broken_rotor_detuning(&r, Omega);
+    if (!VM_IS_FINITE(detuning)) {
+        r.mass *= smaller;
+        r.stiffness *= smaller;
+        detuning = vmi_broken_rotor_detuning(&r, Omega);
+    }
+    if (VM_IS_FINITE(detuning)) return r.s * (r.stiffness / detuning);
     share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; mass Omega^2 has overflowed */
     return -rotor->s * (share / (1 - share));
 }
@@ -7905,8 +7914,8 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
    J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
    mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
    drum's fields are taken as exact and products of the fields do not overflow or underflow. These bounds hold for all
-   angles up to the stop, the angle at which the drum comes to rest (vm_drum_stop). They hold for e = 0 and e = j
-   Omega_b, too. Returns NaN beyond the stop, for phi < 0, for a null pointer, and if inertia or omega is not positive
+   angles up to the stop, the angle at which the drum comes to rest (vm_drum_stop), but not for the last 16 numbers
+   before the stop. They hold for e = 0 and e = j Omega_b, too. Returns NaN beyond the stop, for phi < 0, for a null pointer, and if inertia or omega is not positive
    or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
@@ -17394,7 +17403,8 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a mass that is linear in time. first_A is the
    amplitude, m, at t = 0, of either sign. One formula replaces the equations (422), (424), (427), (429), (431)-(435)
    and (437), as corrected in docs/errata.md, and has no singularity where terms cancel. The error is the sum of the
-   error of averaging, which depends on the field `method`, and of the rounding error, which tests bound by 12 eps.
+   error of averaging, which depends on the field `method`, and of the rounding error. Tests bound the rounding error by
+   12 eps; the changes that rounding errors of t and of the two terms of `drive` (see below) make come in addition.
    Returns NaN for a null pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is
    not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
    vm_vdp_averaged_rhs instead). For c < 0, and for c > 0 backward in time, it also returns NaN from the time at which
@@ -17434,8 +17444,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 
 /* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must
    be constant. The result is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result
-   tend to the result, else 0. The relative rounding error is at most 3e-15 (float 6e-6); the error of averaging must be
-   added. Returns NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite
+   tend to the result, else 0. The relative rounding error is at most 3e-15 (float 6e-6); where 2 feed and (2r - 1)
+   mass_rate nearly cancel, their rounding errors make a larger error. The error of averaging must be added. Returns NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite
    mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
@@ -19213,8 +19223,8 @@ VM_API vm_real vmi_jeffcott_unit(vm_real gyro, vm_real mass, vm_real stiffness)
 }
 
 /* The frequency W = (g +- S)/m of circular whirl, where S = sqrt(g^2 + m K_e), and + is for forward whirl (sense >= 0).
-   The arguments are g (gyro), m (mass) and K_e (stiffness). No digits cancel, because nearly equal numbers are never
-   subtracted. */
+   The arguments are g (gyro), m (mass) and K_e (stiffness). For K_e >= 0 no digits cancel, because nearly equal numbers
+   are never subtracted. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real unit = vmi_jeffcott_unit(gyro, mass, stiffness);
@@ -19233,7 +19243,8 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
    K_e(A). If K_e(A) > 0, forward whirl (sense >= 0) has W > 0, and backward whirl (sense < 0) has W < 0. If K_e(A) < 0,
    both W have the sign of g. A >= 0 is in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine
-   epsilon), apart from the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A
+   epsilon), apart from the error of the stiffness. If K_e(A) < 0 and g^2 + m K_e(A) is nearly 0, the rounding errors of
+   g^2 and m K_e(A) make a larger error. Returns NaN for null pointers, for a rotor without stiffness, for A
    < 0, for mass <= 0, where g^2 + m K_e(A) is negative, where g and K_e(A) are both 0, and for numbers that are
    infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
@@ -19380,7 +19391,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
-   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then use
+   its relative error is then at most 3e-15 (float 3e-6) if the masses have a ratio between 1e-30 and 1e30 (float 1e-9
+   and 1e9). Returns NaN for g != 0 with r != 1 (then use
    vm_jeffcott_whirl_amplitude, which finds the radius by integration); where no radius is found on the way from
    first_A; for a null pointer; for a rotor without stiffness; and for a radius or masses that are not positive and
    finite. */
@@ -19589,7 +19601,8 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward whirl.
    The radius is that of vm_jeffcott_whirl_amplitude. The phase, which is the angle of the whirl from 0 to t, has a
    closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
-   exponential or a power; its relative error is then at most 8 eps. Otherwise the time is divided into parts, and
+   exponential or a power; its relative error is then at most 8 eps, plus the change that a rounding error of the
+   time t makes, which is large where the mass is nearly exhausted. Otherwise the time is divided into parts, and
    Gauss' rule integrates the frequency over each part from 20 points; the radius is computed at each point. For a
    smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The small radial velocity is
    neglected: the velocity is i W z, where W is the frequency of the whirl. Returns VM_BAD_ARGUMENT for null pointers
@@ -20638,7 +20651,8 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
 
 /* Largest amplitude, m, of the amplitude-frequency curve. The curve has this amplitude where it crosses the backbone nu
    = w(A), on which the frequency of the force is the natural frequency. The result is infinite without damping, but NaN
-   if the force is 0, too. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where
+   if the force is 0, too. The relative error is at most 1e-14 (float 2e-5), unless damping and the rates of mass and
+   stiffness nearly cancel; their rounding errors then make a larger error. Returns NaN for a null pointer and where
    the parameters at time t are not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {

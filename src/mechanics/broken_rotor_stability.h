@@ -49,10 +49,18 @@ VM_API vm_real vmi_broken_rotor_detuning(const vm_broken_rotor *r, vm_real Omega
    vm_broken_rotor does not allow. */
 VM_API vm_real vm_broken_rotor_steady_radius(const vm_broken_rotor *rotor, vm_real Omega)
 {
+    const vm_real smaller = vmi_ldexp(1, -64); /* with it the splitting of a mass into words does not overflow */
+    vm_broken_rotor r;
     vm_real detuning, share;
     if (!rotor || vmi_check_broken_rotor(rotor) || !VM_IS_FINITE(Omega)) return VM_NAN;
-    detuning = vmi_broken_rotor_detuning(rotor, Omega);
-    if (VM_IS_FINITE(detuning)) return rotor->s * (rotor->stiffness / detuning);
+    r = *rotor;
+    detuning = vmi_broken_rotor_detuning(&r, Omega);
+    if (!VM_IS_FINITE(detuning)) {
+        r.mass *= smaller;
+        r.stiffness *= smaller;
+        detuning = vmi_broken_rotor_detuning(&r, Omega);
+    }
+    if (VM_IS_FINITE(detuning)) return r.s * (r.stiffness / detuning);
     share = rotor->stiffness / (rotor->mass * Omega) / Omega; /* omega^2/Omega^2; mass Omega^2 has overflowed */
     return -rotor->s * (share / (1 - share));
 }

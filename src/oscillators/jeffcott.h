@@ -335,8 +335,8 @@ VM_API vm_real vmi_jeffcott_unit(vm_real gyro, vm_real mass, vm_real stiffness)
 }
 
 /* The frequency W = (g +- S)/m of circular whirl, where S = sqrt(g^2 + m K_e), and + is for forward whirl (sense >= 0).
-   The arguments are g (gyro), m (mass) and K_e (stiffness). No digits cancel, because nearly equal numbers are never
-   subtracted. */
+   The arguments are g (gyro), m (mass) and K_e (stiffness). For K_e >= 0 no digits cancel, because nearly equal numbers
+   are never subtracted. */
 VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, int sense)
 {
     const vm_real unit = vmi_jeffcott_unit(gyro, mass, stiffness);
@@ -355,7 +355,8 @@ VM_API vm_real vmi_jeffcott_root(vm_real gyro, vm_real mass, vm_real stiffness, 
 /* Frequency W of circular whirl of radius A, rad/s. By the corrected remark after (516), W solves m W^2 - 2 g W =
    K_e(A). If K_e(A) > 0, forward whirl (sense >= 0) has W > 0, and backward whirl (sense < 0) has W < 0. If K_e(A) < 0,
    both W have the sign of g. A >= 0 is in m, mass > 0 in kg. The relative error is at most 8 eps (eps is the machine
-   epsilon), apart from the error of the stiffness. Returns NaN for null pointers, for a rotor without stiffness, for A
+   epsilon), apart from the error of the stiffness. If K_e(A) < 0 and g^2 + m K_e(A) is nearly 0, the rounding errors of
+   g^2 and m K_e(A) make a larger error. Returns NaN for null pointers, for a rotor without stiffness, for A
    < 0, for mass <= 0, where g^2 + m K_e(A) is negative, where g and K_e(A) are both 0, and for numbers that are
    infinite or NaN. */
 VM_API vm_real vm_jeffcott_frequency(const vm_jeffcott *r, vm_real A, vm_real mass, int sense)
@@ -502,7 +503,8 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
-   its relative error is then at most 3e-15 (float 3e-6). Returns NaN for g != 0 with r != 1 (then use
+   its relative error is then at most 3e-15 (float 3e-6) if the masses have a ratio between 1e-30 and 1e30 (float 1e-9
+   and 1e9). Returns NaN for g != 0 with r != 1 (then use
    vm_jeffcott_whirl_amplitude, which finds the radius by integration); where no radius is found on the way from
    first_A; for a null pointer; for a rotor without stiffness; and for a radius or masses that are not positive and
    finite. */

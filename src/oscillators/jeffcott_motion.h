@@ -187,7 +187,8 @@ VM_API int vmi_jeffcott_check_motion(const vm_jeffcott *r, vm_real t, vm_real *m
    is the radius (m) and first_angle the angle (rad) at t = 0; sense >= 0 means forward, sense < 0 backward whirl.
    The radius is that of vm_jeffcott_whirl_amplitude. The phase, which is the angle of the whirl from 0 to t, has a
    closed form for a power law of the shaft (vm_jeffcott_power) with g = 0 and a mass that is constant, linear,
-   exponential or a power; its relative error is then at most 8 eps. Otherwise the time is divided into parts, and
+   exponential or a power; its relative error is then at most 8 eps, plus the change that a rounding error of the
+   time t makes, which is large where the mass is nearly exhausted. Otherwise the time is divided into parts, and
    Gauss' rule integrates the frequency over each part from 20 points; the radius is computed at each point. For a
    smooth stiffness the relative error of the phase is then at most 1e-12 (float 1e-4). The small radial velocity is
    neglected: the velocity is i W z, where W is the frequency of the whirl. Returns VM_BAD_ARGUMENT for null pointers

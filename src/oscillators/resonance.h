@@ -196,7 +196,8 @@ VM_API int vm_forced_curve(const vm_forced *f, vm_real t, vm_real A, vm_steady_s
 
 /* Largest amplitude, m, of the amplitude-frequency curve. The curve has this amplitude where it crosses the backbone nu
    = w(A), on which the frequency of the force is the natural frequency. The result is infinite without damping, but NaN
-   if the force is 0, too. The relative error is at most 1e-14 (float 2e-5). Returns NaN for a null pointer and where
+   if the force is 0, too. The relative error is at most 1e-14 (float 2e-5), unless damping and the rates of mass and
+   stiffness nearly cancel; their rounding errors then make a larger error. Returns NaN for a null pointer and where
    the parameters at time t are not in their domain. */
 VM_API vm_real vm_forced_peak(const vm_forced *f, vm_real t)
 {

@@ -140,7 +140,8 @@ VM_API int vmi_vdp_has_closed_forms(const vm_vdp *v) { return v->a1 > 0; }
 /* Amplitude of a Van der Pol oscillator at time t, in closed form for a mass that is linear in time. first_A is the
    amplitude, m, at t = 0, of either sign. One formula replaces the equations (422), (424), (427), (429), (431)-(435)
    and (437), as corrected in docs/errata.md, and has no singularity where terms cancel. The error is the sum of the
-   error of averaging, which depends on the field `method`, and of the rounding error, which tests bound by 12 eps.
+   error of averaging, which depends on the field `method`, and of the rounding error. Tests bound the rounding error by
+   12 eps; the changes that rounding errors of t and of the two terms of `drive` (see below) make come in addition.
    Returns NaN for a null pointer, an oscillator that vm_vdp_init has not prepared, infinite arguments, a mass that is
    not positive at 0 or at t, a mass that is neither linear nor constant, and a stiffness that follows a law (integrate
    vm_vdp_averaged_rhs instead). For c < 0, and for c > 0 backward in time, it also returns NaN from the time at which
@@ -180,8 +181,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 
 /* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must
    be constant. The result is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result
-   tend to the result, else 0. The relative rounding error is at most 3e-15 (float 6e-6); the error of averaging must be
-   added. Returns NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite
+   tend to the result, else 0. The relative rounding error is at most 3e-15 (float 6e-6); where 2 feed and (2r - 1)
+   mass_rate nearly cancel, their rounding errors make a larger error. The error of averaging must be added. Returns NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite
    mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
