@@ -16768,6 +16768,8 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     const vm_real gamma = vmi_larger(VM_FABS(p->gamma), mean->panel->gamma);
     const vm_real a = mean->panel->largest_a, B = mean->panel->largest_B;
     const vm_real h = VM_FABS(mean->rates.h / mean->rates.speed);
+    const vm_real fastest = VM_FABS(mean->rates.loss) + VM_FABS(mean->rates.turn) + VM_FABS(mean->rates.h);
+    const vm_real by_time = vmi_osc_time_rounding(t, w * mean->rates.speed, fastest);
     vm_real second0, third0, second, third, phase, action;
     vmi_odd_slow slow;
     int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
@@ -16778,7 +16780,7 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, a);
     phase = (1 + gamma) * (p->first_B * second0 + B * (second + third)) + (1 + gamma * turns) * action;
     *error = (vmi_odd_steepness(orbit) * phase + a * (second + third) + action) / 2 +
-             4 * VM_EPSILON * (2 + turns);
+             vmi_larger(by_time, 4 * VM_EPSILON * (2 + turns));
     if (route == VM_ODD_MEAN) *error += 2 * h / w * (vmi_odd_steepness(orbit) * B + a);
     if (!(*error <= largest_known)) *error = VM_INFINITY;
     return VM_OK;
@@ -17014,8 +17016,10 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     const vmi_osc_tuning tuning = vmi_osc_method_rk87(vmi_odd_run_rhs).tuning;
     const vm_real longest = c->longest, turns = VM_FABS(t) * VMI_OSC_LONGEST * 2 * VM_PI / longest;
     vm_odd_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS];
-    vm_real swing[VMI_OSC_CHECKS], vmax[VMI_OSC_CHECKS], largest = 0;
+    vm_real swing[VMI_OSC_CHECKS], vmax[VMI_OSC_CHECKS], largest = 0, by_time;
+    vmi_odd_rates rates;
     int i, status = vmi_odd_run_once(c, t, tuning.ratio * step_tolerance, loose, swing, vmax);
+    if (!status) status = vmi_odd_rates_at(&c->plan->problem, t, -c->side, &rates);
     if (status) return status;
     c->longest = longest / 2;
     status = vmi_odd_run_once(c, t, step_tolerance, strict, swing, vmax);
@@ -17025,9 +17029,11 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
         largest = vmi_larger(VM_FABS(strict[i].x - loose[i].x) / swing[i], largest);
         largest = vmi_larger(VM_FABS(strict[i].v - loose[i].v) / vmax[i], largest);
     }
+    by_time = VM_FABS(rates.loss) + VM_FABS(rates.turn);
+    by_time = vmi_osc_time_rounding(t, vmax[VMI_OSC_CHECKS - 1] / swing[VMI_OSC_CHECKS - 1], by_time);
     *motion = strict[VMI_OSC_CHECKS - 1];
     motion->error = vmi_larger(tuning.by_chance * step_tolerance, tuning.factor * largest) +
-                    4 * VM_EPSILON * (2 + turns);
+                    vmi_larger(by_time, 4 * VM_EPSILON * (2 + turns));
     return VM_OK;
 }
 
@@ -18662,7 +18668,9 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     const vm_real all = back + 2 / n * mean->psi_error + 2 / (n + 2) * mean->J_error;
     vm_real E[VMI_OSC_G], third = all * vmi_larger(now.ratio, mean->ratio), error;
     const vm_real fast = (1 + VM_FABS(r->gamma) * turns) * vmi_osc_fast(&p->osc, &mean->fast);
-    const vm_real rounding = 4 * VM_EPSILON * (2 + turns) + W * mean->fast.error;
+    const vm_real fastest = vmi_osc_relative_rate(r->alpha, mean->now.p, mean->now.a, mean->now.k_rate);
+    const vm_real by_time = vmi_osc_time_rounding(mean->t, W, fastest);
+    const vm_real rounding = vmi_larger(by_time, 4 * VM_EPSILON * (2 + turns)) + W * mean->fast.error;
     vmi_expansion_sizes terms;
     vmi_vdp_absolute_E(&mean->now, W, E);
     vmi_expansion_find_sizes(r, E, &terms);

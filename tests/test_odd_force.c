@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include "../varmass.h"
 #include "check.h"
+#include "nearly_exhausted.h"
 #include "slow_vibrations.h"
 
 /* ---- Forces ---- */
@@ -633,6 +634,26 @@ static void test_problems_refused(void)
     CHECK(m.x == 0 && m.route == 0 && d[0] == 7);
 }
 
+static void test_nearly_exhausted(void)
+{
+    double left;
+    for (left = 1e-2; left > (is_float ? 1e-3 : 1e-6); left /= 3) {
+        const exhausted_motion e = nearly_exhausted(left);
+        vm_odd_problem o;
+        vm_odd_motion m;
+        memset(&o, 0, sizeof o);
+        o.force = vm_duffing_force(e.stiffness, 0);
+        o.mass = e.mass;
+        o.stiffness = vm_law_linear(1, 0);
+        o.damping = vm_law_linear(0, 0);
+        o.reactive = R(0.5);
+        o.x = 1;
+        o.v = 1;
+        CHECK(vm_odd_within(&o, e.t, R(by_precision(1e-6, 1e-2)), &m) == VM_OK);
+        check_error("nearly exhausted", "odd force", "est", exhausted_ratio(&e, m.x, m.v, m.error), 1, left, (double)e.t);
+    }
+}
+
 int main(void)
 {
     test_against_duffing();
@@ -655,5 +676,6 @@ int main(void)
     test_forces_refused();
     test_duffing_not_finite();
     test_problems_refused();
+    test_nearly_exhausted();
     return check_finish("odd_force");
 }

@@ -6,6 +6,7 @@
 #include "../varmass.h"
 #include "check.h"
 #include "judgement.h"
+#include "nearly_exhausted.h"
 #include "oscillator_checks.h"
 #include "routes_problems.h"
 
@@ -851,6 +852,25 @@ static void test_stiffness_refused(void)
     CHECK(vm_vdp_init(&v) == VM_OK && vm_vdp_rhs(0, y, d, &v) == VM_OK && !VM_IS_FINITE(vm_vdp_amplitude(&v, 1, 1)));
 }
 
+/* c is so small that the exact motion without it is right to the last digits. */
+static void test_nearly_exhausted(void)
+{
+    double left;
+    for (left = 1e-2; left > (is_float ? 1e-4 : 1e-9); left /= 3) {
+        const exhausted_motion e = nearly_exhausted(left);
+        vm_osc_motion m;
+        vm_vdp v;
+        memset(&v, 0, sizeof v);
+        v.alpha = 1;
+        v.k = e.stiffness;
+        v.mass = e.mass;
+        v.reactive = R(0.5);
+        v.c = R(1e-18);
+        CHECK(vm_vdp_init(&v) == VM_OK && vm_vdp_within(&v, 1, 1, e.t, R(by_precision(1e-6, 1e-2)), &m) == VM_OK);
+        check_error("nearly exhausted", "law", "est", exhausted_ratio(&e, m.x, m.v, m.error), 1, left, (double)e.t);
+    }
+}
+
 int main(void)
 {
     test_constants();
@@ -878,5 +898,6 @@ int main(void)
 #endif
     test_stiffness_refused();
     test_refusals();
+    test_nearly_exhausted();
     return check_finish("van_der_pol_law");
 }

@@ -616,6 +616,8 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     const vm_real gamma = vmi_larger(VM_FABS(p->gamma), mean->panel->gamma);
     const vm_real a = mean->panel->largest_a, B = mean->panel->largest_B;
     const vm_real h = VM_FABS(mean->rates.h / mean->rates.speed);
+    const vm_real fastest = VM_FABS(mean->rates.loss) + VM_FABS(mean->rates.turn) + VM_FABS(mean->rates.h);
+    const vm_real by_time = vmi_osc_time_rounding(t, w * mean->rates.speed, fastest);
     vm_real second0, third0, second, third, phase, action;
     vmi_odd_slow slow;
     int status = vmi_odd_slow_at(&p->problem, t, -vmi_time_side(p->t_end),
@@ -626,7 +628,7 @@ VM_API int vmi_odd_error(const vm_odd_plan *p, int route, vm_real t, const vmi_o
     action = p->first_a * (third0 + mean->panel->knots) + vmi_odd_fast(mean, a);
     phase = (1 + gamma) * (p->first_B * second0 + B * (second + third)) + (1 + gamma * turns) * action;
     *error = (vmi_odd_steepness(orbit) * phase + a * (second + third) + action) / 2 +
-             4 * VM_EPSILON * (2 + turns);
+             vmi_larger(by_time, 4 * VM_EPSILON * (2 + turns));
     if (route == VM_ODD_MEAN) *error += 2 * h / w * (vmi_odd_steepness(orbit) * B + a);
     if (!(*error <= largest_known)) *error = VM_INFINITY;
     return VM_OK;

@@ -67,7 +67,9 @@ VM_API vm_real vmi_vdp_error(const vm_vdp_plan *p, const vmi_vdp_mean *mean, vm_
     const vm_real all = back + 2 / n * mean->psi_error + 2 / (n + 2) * mean->J_error;
     vm_real E[VMI_OSC_G], third = all * vmi_larger(now.ratio, mean->ratio), error;
     const vm_real fast = (1 + VM_FABS(r->gamma) * turns) * vmi_osc_fast(&p->osc, &mean->fast);
-    const vm_real rounding = 4 * VM_EPSILON * (2 + turns) + W * mean->fast.error;
+    const vm_real fastest = vmi_osc_relative_rate(r->alpha, mean->now.p, mean->now.a, mean->now.k_rate);
+    const vm_real by_time = vmi_osc_time_rounding(mean->t, W, fastest);
+    const vm_real rounding = vmi_larger(by_time, 4 * VM_EPSILON * (2 + turns)) + W * mean->fast.error;
     vmi_expansion_sizes terms;
     vmi_vdp_absolute_E(&mean->now, W, E);
     vmi_expansion_find_sizes(r, E, &terms);
