@@ -14089,6 +14089,36 @@ VM_API int vmi_osc_collocate_pair(const vm_osc_plan *plan, vm_real t, vmi_osc_po
     return VM_OK;
 }
 
+/* Returns 1 if a law may change within a time that is much shorter than f/f', as a power law near the time at which its
+   base is 0, or a quadratic law near its minimum; else 0. */
+VM_API int vmi_law_may_hide_changes(const vm_law *law)
+{
+    return law->derivatives == vmi_law_power_derivatives || law->derivatives == vmi_law_quadratic_derivatives;
+}
+
+/* Returns VM_NOT_INTEGRATED if mass or stiffness change so fast somewhere between 0 and t that a step of collocation
+   might contain the whole change without a node near it; both runs of a pair would then miss it. The test is for laws
+   that the nodes alone do not show to be fast (vmi_law_may_hide_changes). It uses the shortest panel of the integration
+   along the laws (oscillators/walk.h). If a user's function gives mass or stiffness, the panels are short anyway, and
+   limit the steps (vmi_osc_law_step). Returns VM_OK if there is no such change, or the status of a law that fails. */
+VM_API int vmi_osc_check_steps(const vm_osc_plan *plan, vm_real t)
+{
+    const vm_osc_problem *o = &plan->problem;
+    const vm_real least = VM_C(0.5); /* length of a panel in phase */
+    vmi_osc_mean mean;
+    vmi_osc_rates now;
+    vm_real slower;
+    int status;
+    if (vmi_osc_has_user_law(o)) return VM_OK;
+    if (!vmi_law_may_hide_changes(&o->mass) && !vmi_law_may_hide_changes(&o->stiffness)) return VM_OK;
+    status = vmi_osc_walk_along(plan, t, &mean);
+    if (!status) status = vmi_osc_rates_at(o, t, -vmi_time_side(t), &now);
+    if (status) return status;
+    slower = vmi_smaller(1, VM_SQRT((now.k / plan->k0) / (now.m / plan->m0)));
+    if (mean.shortest < VM_FABS(t) / 2 && mean.shortest * plan->Om * slower < least) return VM_NOT_INTEGRATED;
+    return VM_OK;
+}
+
 /* Computes the motion at t by collocation. Returns VM_TOLERANCE_MISSED where the motion is computed, but its estimated
    error is larger than the tolerance. Returns VM_NOT_INTEGRATED if more than 2^24 steps would be needed. Also returns
    VM_NOT_INTEGRATED if mass, stiffness or force change as fast as the phase, or if the plan has no phase
@@ -14113,6 +14143,8 @@ VM_API int vmi_osc_collocate(const vm_osc_plan *plan, int route, vm_real t, vm_r
     status = vmi_first_error(status, vmi_osc_change_at(plan, t, -vmi_time_side(t), &r.change));
     if (status) return status;
     if (!(plan->Om * VM_FABS(t) <= most_half_periods * plan->ripple.pi)) return VM_NOT_INTEGRATED;
+    status = vmi_osc_check_steps(plan, t);
+    if (status) return status;
     r.longest *= 2;
     r.sweep_limit = vmi_larger(tolerance / share, VM_EPSILON);
     r.error = VM_INFINITY;

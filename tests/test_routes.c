@@ -997,6 +997,33 @@ static void test_quick_growth(void)
         }
 }
 
+/* A power law that is fast near t = 0, and slow in the first step otherwise. All nodes of both runs of collocation then lay after
+   the fast part, so that both runs missed it: the error was a hundred amplitudes. x and v by rk87 with the tolerance 1e-12. */
+static void test_fast_beginning(void)
+{
+    static const struct {
+        double alpha, reactive, f1, f2, x0, v0, t, x, v;
+    } motions[] = {
+        {1, 0, 5000, -0.01, 1, 0, 10, -0.471827617, 0.920091394},
+        {1, 0.75, 1000, 0.005, 1, 0, 3, -0.979634, -0.189238},
+        {3, 0.25, 5000, 0.01, 0.1, 1, 10, -0.376239, -0.965888},
+    };
+    int i, k;
+    for (i = 0; i < COUNT(motions); i++)
+        for (k = 2; k <= 4; k++) {
+            const double tolerance = 2 * pow(10, -k);
+            vm_osc_problem o = problem(motions[i].alpha, vm_law_power(1, R(motions[i].f1), R(motions[i].f2)),
+                                       motions[i].reactive, 0);
+            vm_osc_motion m;
+            o.x = R(motions[i].x0);
+            o.v = R(motions[i].v0);
+            CHECK(vm_osc_within(&o, R(motions[i].t), R(tolerance), &m) == VM_OK);
+            check_error("fast beginning", "x", "tol A", fabs((double)m.x - motions[i].x) / (tolerance * (double)m.amplitude),
+                        3, k, i);
+            check_error("fast beginning", "v", "tol v", fabs((double)m.v - motions[i].v) / tolerance, 3, k, i);
+        }
+}
+
 static void test_nearly_exhausted(void)
 {
     static const int routes[] = {VM_ROUTE_ORDER2, VM_ROUTE_ORDER5, VM_ROUTE_RK87};
@@ -1044,6 +1071,7 @@ int main(void)
     test_short_times();
     test_quick_change();
     test_quick_growth();
+    test_fast_beginning();
     test_nearly_exhausted();
     test_units_of_time();
     test_no_phase();
