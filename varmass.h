@@ -7641,7 +7641,8 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
 /* Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t).
    The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
    leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
-   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit. Returns VM_BAD_MASS if
+   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit, but the error of the velocity also contains a few eps
+   |rate r0|. Returns VM_BAD_MASS if
    1 + rate t is not positive, else a status of vm_orbit. */
 VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
@@ -18054,6 +18055,27 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
     mean->ratio = vmi_larger(sizes.ratio, mean->ratio);
 }
 
+/* Finds the longest step, s, of the integration of vmi_vdp_bridge, which starts at the time t, where the rate of the
+   phase is W. No step may miss a change of a law that is a function of the user (vmi_osc_law_step). Returns
+   VM_NOT_INTEGRATED if a step might miss a change of another law (vmi_osc_check_steps). */
+VM_API int vmi_vdp_longest_step(const vm_vdp_plan *p, vm_real t, int side, vm_real W, vm_real *longest)
+{
+    const vm_real quarter = (vm_real)side * p->osc.ripple.pi / (2 * W); /* the time of a quarter vibration */
+    const vm_law *laws[2];
+    int i, status;
+    *longest = VM_INFINITY;
+    if (t == 0) {
+        status = vmi_osc_check_steps(&p->osc, quarter);
+        if (status || !vmi_osc_has_user_law(&p->osc.problem)) return status;
+        return vmi_osc_law_step(&p->osc, quarter, longest);
+    }
+    laws[0] = &p->osc.problem.mass;
+    laws[1] = &p->osc.problem.stiffness;
+    for (i = 0; i < 2; i++)
+        if (laws[i]->function && laws[i]->change_time > 0) *longest = vmi_smaller(*longest, laws[i]->change_time);
+    return VM_OK;
+}
+
 /* Integrates the exact equations from the state *r at the time t to the first phase at which sa or ca is 0, and starts
    the mean motion there. If `knots` is 1, the function integrates to the first phase of this kind after the next point
    of a table. `side` is 1 forward, -1 backward in time. VM_NOT_INTEGRATED means that amplitude and phase do not
@@ -18061,24 +18083,28 @@ VM_API void vmi_vdp_start_at(const vm_vdp_plan *p, const vmi_osc_reduced *r, vmi
 VM_API int vmi_vdp_bridge(const vm_vdp_plan *p, vm_real t, int side, const vmi_osc_reduced *r, int knots,
                           vmi_vdp_mean *mean)
 {
-    const int nodes = 14, most_steps = 8;
+    const int nodes = 14, most_steps = 16384;
     vm_osc_plan exact = p->osc;
     vm_real c = p->vdp.c;
     vmi_osc_course course;
     vmi_osc_reduced end;
     vmi_osc_rates rates;
-    int i, landed = 0, status;
+    vm_real sign, longest;
+    int i, part, landed = 0, status = vmi_vdp_longest_step(p, t, side, r->W, &longest);
+    if (status) return status;
     exact.problem.force = vmi_vdp_force;
     exact.problem.ctx = &c;
     vmi_osc_course_start(&course, &exact, r, side, nodes, 2, 16 * VM_EPSILON);
     course.by_velocity = 0; /* the force is smooth, and the mean motion starts from x and x' + p x */
     course.t = t;
+    course.longest = longest;
     for (i = 0; i < most_steps; i++) {
         course.stop = vmi_osc_next_knot(&exact.problem, course.t, VM_COPYSIGN(VM_INFINITY, (vm_real)side));
         status = vmi_osc_course_step(&course);
         if (status) return status;
+        vmi_osc_next_phase(&course, &part, &sign);
         if (course.t == course.stop) landed++;
-        else if (landed >= knots) break;
+        else if (landed >= knots && part >= 0) break;
         if (landed > knots) return VM_NOT_INTEGRATED;
     }
     if (i == most_steps) return VM_NOT_INTEGRATED;
@@ -20154,7 +20180,9 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
    velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0; VM_NOT_FINITE also means that a
    number of y0 is infinite or NaN. Returns VM_NO_LAW where there is not exactly one connection, where there are further
    forces, and where `reactive` is neither 0 nor 1, because then the motion of the mass centre depends on the vibration.
-   In these three cases integrate vm_coupled_pair_rhs. An error leaves *pair and *problem as they were. */
+   In these three cases integrate vm_coupled_pair_rhs. The mass of the oscillator is a law of vm_law_user: if a mass of the
+   pair is given by a table, the routes do not know its points, and changes in less than |t|/3000 may be missed; set
+   problem->mass.change_time for such a table. An error leaves *pair and *problem as they were. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;
