@@ -7641,9 +7641,9 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
 /* Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t).
    The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
    leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
-   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit, but the error of the velocity also contains a few eps
-   |rate r0|. Returns VM_BAD_MASS if
-   1 + rate t is not positive, else a status of vm_orbit. */
+   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit, but the
+   error of the velocity also contains a few eps |rate r0|. Returns VM_BAD_MASS if 1 + rate t is not positive, else a
+   status of vm_orbit. */
 VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_vec3 position, velocity;
@@ -17050,9 +17050,9 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     const vm_real longest = c->longest, turns = VM_FABS(t) * VMI_OSC_LONGEST * 2 * VM_PI / longest;
     vm_odd_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS];
     vm_real swing[VMI_OSC_CHECKS], vmax[VMI_OSC_CHECKS], largest = 0, by_time;
-    vmi_odd_rates rates;
+    vmi_odd_now now;
     int i, status = vmi_odd_run_once(c, t, tuning.ratio * step_tolerance, loose, swing, vmax);
-    if (!status) status = vmi_odd_rates_at(&c->plan->problem, t, -c->side, &rates);
+    if (!status) status = vmi_odd_read_laws(&c->plan->problem, t, -c->side, &now);
     if (status) return status;
     c->longest = longest / 2;
     status = vmi_odd_run_once(c, t, step_tolerance, strict, swing, vmax);
@@ -17062,7 +17062,7 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
         largest = vmi_larger(VM_FABS(strict[i].x - loose[i].x) / swing[i], largest);
         largest = vmi_larger(VM_FABS(strict[i].v - loose[i].v) / vmax[i], largest);
     }
-    by_time = VM_FABS(rates.loss) + VM_FABS(rates.turn);
+    by_time = (VM_FABS(now.m_rate) + VM_FABS(now.b)) / now.m;
     by_time = vmi_osc_time_rounding(t, vmax[VMI_OSC_CHECKS - 1] / swing[VMI_OSC_CHECKS - 1], by_time);
     *motion = strict[VMI_OSC_CHECKS - 1];
     motion->error = vmi_larger(tuning.by_chance * step_tolerance, tuning.factor * largest) +
@@ -17484,8 +17484,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 /* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must
    be constant. The result is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result
    tend to the result, else 0. The relative rounding error is at most 3e-15 (float 6e-6); where 2 feed and (2r - 1)
-   mass_rate nearly cancel, their rounding errors make a larger error. The error of averaging must be added. Returns NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite
-   mass_rate. */
+   mass_rate nearly cancel, their rounding errors make a larger error. The error of averaging must be added. Returns
+   NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
@@ -20180,9 +20180,9 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
    velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0; VM_NOT_FINITE also means that a
    number of y0 is infinite or NaN. Returns VM_NO_LAW where there is not exactly one connection, where there are further
    forces, and where `reactive` is neither 0 nor 1, because then the motion of the mass centre depends on the vibration.
-   In these three cases integrate vm_coupled_pair_rhs. The mass of the oscillator is a law of vm_law_user: if a mass of the
-   pair is given by a table, the routes do not know its points, and changes in less than |t|/3000 may be missed; set
-   problem->mass.change_time for such a table. An error leaves *pair and *problem as they were. */
+   In these three cases integrate vm_coupled_pair_rhs. The mass of the oscillator is a law of vm_law_user. If a mass of
+   the pair is given by a table, the routes do not know the points of the table, and may miss changes within |t|/3000;
+   set problem->mass.change_time for such a table. An error leaves *pair and *problem as they were. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;

@@ -209,9 +209,9 @@ VM_API int vm_orbit(vm_real t, vm_real mu, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, v
 /* Position and velocity after t seconds, while the attraction changes by Meshchersky's law mu/(1 + rate t).
    The two bodies lose mass (rate > 0, per second) or gain it (rate < 0) in the same proportion, and the mass that
    leaves or joins has the velocity of its body. The equation is that of Gylden and Meshchersky,
-   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit, but the error of the velocity also contains a few eps
-   |rate r0|. Returns VM_BAD_MASS if
-   1 + rate t is not positive, else a status of vm_orbit. */
+   r'' = -mu/(1 + rate t) r/|r|^3. The other arguments and the accuracy are those of vm_orbit, but the
+   error of the velocity also contains a few eps |rate r0|. Returns VM_BAD_MASS if 1 + rate t is not positive, else a
+   status of vm_orbit. */
 VM_API int vm_orbit_meshchersky(vm_real t, vm_real mu, vm_real rate, vm_vec3 r0, vm_vec3 v0, vm_vec3 *r, vm_vec3 *v)
 {
     vm_vec3 position, velocity;

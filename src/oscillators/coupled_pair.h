@@ -182,9 +182,9 @@ VM_API vm_real vmi_coupled_drift(vm_real t, vm_real x, vm_real v, void *ctx)
    velocity of the mass centre. Returns the statuses of vm_coupled_pair_rhs at t = 0; VM_NOT_FINITE also means that a
    number of y0 is infinite or NaN. Returns VM_NO_LAW where there is not exactly one connection, where there are further
    forces, and where `reactive` is neither 0 nor 1, because then the motion of the mass centre depends on the vibration.
-   In these three cases integrate vm_coupled_pair_rhs. The mass of the oscillator is a law of vm_law_user: if a mass of the
-   pair is given by a table, the routes do not know its points, and changes in less than |t|/3000 may be missed; set
-   problem->mass.change_time for such a table. An error leaves *pair and *problem as they were. */
+   In these three cases integrate vm_coupled_pair_rhs. The mass of the oscillator is a law of vm_law_user. If a mass of
+   the pair is given by a table, the routes do not know the points of the table, and may miss changes within |t|/3000;
+   set problem->mass.change_time for such a table. An error leaves *pair and *problem as they were. */
 VM_API int vm_coupled_pair_oscillator(vm_coupled_pair *pair, const vm_real *y0, vm_osc_problem *problem)
 {
     if (!pair || !y0 || !problem) return VM_BAD_ARGUMENT;

@@ -215,9 +215,9 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
     const vm_real longest = c->longest, turns = VM_FABS(t) * VMI_OSC_LONGEST * 2 * VM_PI / longest;
     vm_odd_motion loose[VMI_OSC_CHECKS], strict[VMI_OSC_CHECKS];
     vm_real swing[VMI_OSC_CHECKS], vmax[VMI_OSC_CHECKS], largest = 0, by_time;
-    vmi_odd_rates rates;
+    vmi_odd_now now;
     int i, status = vmi_odd_run_once(c, t, tuning.ratio * step_tolerance, loose, swing, vmax);
-    if (!status) status = vmi_odd_rates_at(&c->plan->problem, t, -c->side, &rates);
+    if (!status) status = vmi_odd_read_laws(&c->plan->problem, t, -c->side, &now);
     if (status) return status;
     c->longest = longest / 2;
     status = vmi_odd_run_once(c, t, step_tolerance, strict, swing, vmax);
@@ -227,7 +227,7 @@ VM_API int vmi_odd_pair(vmi_odd_run *c, vm_real t, vm_real step_tolerance, vm_od
         largest = vmi_larger(VM_FABS(strict[i].x - loose[i].x) / swing[i], largest);
         largest = vmi_larger(VM_FABS(strict[i].v - loose[i].v) / vmax[i], largest);
     }
-    by_time = VM_FABS(rates.loss) + VM_FABS(rates.turn);
+    by_time = (VM_FABS(now.m_rate) + VM_FABS(now.b)) / now.m;
     by_time = vmi_osc_time_rounding(t, vmax[VMI_OSC_CHECKS - 1] / swing[VMI_OSC_CHECKS - 1], by_time);
     *motion = strict[VMI_OSC_CHECKS - 1];
     motion->error = vmi_larger(tuning.by_chance * step_tolerance, tuning.factor * largest) +

@@ -182,8 +182,8 @@ VM_API vm_real vm_vdp_amplitude(const vm_vdp *v, vm_real t, vm_real first_A)
 /* Amplitude of the limit cycle, m, while the mass changes at mass_rate (kg/s): (425), (430), (438). The stiffness must
    be constant. The result is 0 where there is no limit cycle. *stable_or_NULL becomes 1 if amplitudes near the result
    tend to the result, else 0. The relative rounding error is at most 3e-15 (float 6e-6); where 2 feed and (2r - 1)
-   mass_rate nearly cancel, their rounding errors make a larger error. The error of averaging must be added. Returns NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite
-   mass_rate. */
+   mass_rate nearly cancel, their rounding errors make a larger error. The error of averaging must be added. Returns
+   NaN for a null pointer, for an oscillator that vm_vdp_init has not prepared, and for an infinite mass_rate. */
 VM_API vm_real vm_vdp_limit_cycle(const vm_vdp *v, vm_real mass_rate, int *stable_or_NULL)
 {
     if (!v) return VM_NAN;
