@@ -2785,10 +2785,10 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    If the separation does not change the part's motion, the rest keeps its motion, too, even if little inertia is left.
    The rest's omega loses no digits at high speed or far from the origin, because only motions relative to the whole are
    added. The entries of the rest's inertia are first computed with errors of at most 8 eps of the trace of the whole's
-   inertia. If the bodies are at a distance R from the origin, the rounding of positions by eps R adds to these errors. A
-   principal moment of the rest that may be only a rounding error then becomes 0, and one that exceeds the sum of the
-   other two becomes this sum. Without the part of R, such a moment is smaller than 50 eps of the trace. This changes the
-   angular momentum by up to the moment times omega.
+   inertia. If the bodies are at a distance R from the origin, the rounding of positions by eps R adds to these errors.
+   A principal moment of the rest that may be only a rounding error then becomes 0, and one that exceeds the sum of the
+   other two becomes this sum. Without the part of R, such a moment is smaller than 50 eps of the trace. This changes
+   the angular momentum by up to the moment times omega.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
    axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about
@@ -7911,13 +7911,13 @@ VM_API vm_two vmi_drum_share(vm_two a, vm_real b, vm_two c)
     return vmi_two_over(vmi_two_times(a, vmi_two(b, 0)), c);
 }
 
-/* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196).
-   J0 is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
+/* Angular velocity phi' on a rigid shaft at the angle phi >= 0, rad/s: (J0 Omega_b + e phi)/(J0 + j phi) (196). J0
+   is the drum's inertia, Omega_b its initial angular velocity, e = mu v R - D and j = mu R^2 as at the top of
    mechanics/drum.h. The results of vm_drum_rate, vm_drum_time and vm_drum_angle have errors of at most 3 ulp if the
-   drum's fields are taken as exact and products of the fields do not overflow or underflow. These bounds hold for all
-   angles up to the stop, the angle at which the drum comes to rest (vm_drum_stop), but not for the last 16 numbers
-   before the stop. They hold for e = 0 and e = j Omega_b, too. Returns NaN beyond the stop, for phi < 0, for a null pointer, and if inertia or omega is not positive
-   or band is negative. */
+   drum's fields are taken as exact and products of the fields do not overflow or underflow. These bounds hold for
+   all angles up to the stop, the angle at which the drum comes to rest (vm_drum_stop), but not for the last 16
+   numbers before the stop. They hold for e = 0 and e = j Omega_b, too. Returns NaN beyond the stop, for phi < 0, for
+   a null pointer, and if inertia or omega is not positive or band is negative. */
 VM_API vm_real vm_drum_rate(const vm_drum *d, vm_real phi)
 {
     vm_two up, down;
