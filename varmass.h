@@ -2787,7 +2787,7 @@ VM_API int vmi_jump(const vm_body *body, int n, const vm_body *others, vm_real s
    added. The entries of the rest's inertia are first computed with errors of at most 8 eps of the trace of the whole's
    inertia. If the bodies are at a distance R from the origin, the rounding of positions by eps R adds to these errors.
    A principal moment of the rest that may be only such an error (without R, below 50 eps of the trace) becomes 0, and
-   one that exceeds the sum of the other two becomes this sum. The angular momentum changes by up to moment times omega.
+   one above the sum of the other two becomes this sum. The angular momentum changes by up to the moment times omega.
 
    Returns VM_OK, VM_NULL_AXIS or an error. VM_NULL_AXIS (> 0) is a warning: the rest is a rod or a point, which has an
    axis without inertia, but the equations demand angular momentum about this axis. *rest is then set, and turns about
