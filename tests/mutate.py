@@ -17,7 +17,8 @@ A file of src/ that is copied into several headers belongs to the first of them 
 
 Before, for each header, two controls: the header as it is must survive, and with |x| = -x it must be caught.
 
-usage: mutate.py BUILD SEED COUNT [HEADER...] from the top of the project, after coverage.py; COUNT of each header
+usage: mutate.py BUILD SEED COUNT [HEADER...] from the top of the project, after coverage.py; COUNT of each header.
+The mutants of a header depend on SEED and on this header, but not on the other headers that are named.
 """
 import difflib
 import glob
@@ -228,10 +229,12 @@ def main():
         now = moved(known['sources'][header], sources[header])
         executed[header] = {now[int(line)]: names for line, names in known['programs'][header].items()
                             if int(line) in now}
-    rng = random.Random(seed)
     places = {header: [(header, line) for line in sorted(executed[header]) if codes[header][line - 1].strip()]
               for header in chosen}
-    mutants = [draw(rng, codes, places[header]) for _ in range(count) for header in chosen]
+    mutants = []
+    for header in chosen:
+        rng = random.Random(f'{seed} {header}')
+        mutants += [draw(rng, codes, places[header]) for _ in range(count)]
     owner, copies = owners(sources), {}
     folders, equivalent = prepared(build), known_equivalent(sources, owner)
     for place, first in owner.items():
