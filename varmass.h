@@ -878,13 +878,15 @@ VM_API vm_real vmi_power_below(vm_real x)
 #ifndef VARMASS_BASE_ZERO_H
 #define VARMASS_BASE_ZERO_H
 
-/* Returns a zero of f between a and b, as accurate as the type allows. fa = f(a) and fb = f(b) must differ in sign.
+/* Returns a zero of f between a and b, as accurate as the type allows, or NaN where a value of f is NaN. fa = f(a) and
+   fb = f(b) must differ in sign.
    Method (Illinois): the next x is the zero of the secant through both ends of the interval. If one end of the interval
    has not moved for two steps, the method halves the value of f that is stored for this end. Every fourth step bisects
    the interval unless the last four steps have made the interval eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
+    const int is_positive_at_b = fb > 0;
     vm_real width = VM_FABS(b - a);
     int i, side = 0;
     if (fa == 0) return a;
@@ -898,11 +900,12 @@ VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
             }
             width = VM_FABS(b - a);
         }
-        if (!((x > a) == (x < b)) || x == a || x == b) x = a + (b - a) / 2;
+        if (!(x > a && x < b) && !(x > b && x < a)) x = a + (b - a) / 2; /* also where x is NaN */
         if (x == a || x == b) break;
         fx = f(x, ctx);
         if (fx == 0) return x;
-        if ((fx > 0) == (fb > 0)) {
+        if (fx != fx) return VM_NAN;
+        if ((fx > 0) == is_positive_at_b) {
             b = x;
             fb = fx;
             if (side == 1) fa /= 2;
@@ -17310,6 +17313,11 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
     vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);
 }
 
+/* Returns 1 if the amplitude that follows from a mean amplitude with its ripple is within an eighth of the exact
+   amplitude, else 0. The mean amplitude is found by three iterations, which come so near unless the ripple is about as
+   large as the amplitude. */
+VM_API int vmi_slow_is_solved(vm_real amplitude, vm_real exact) { return VM_FABS(amplitude - exact) <= exact / 8; }
+
 #endif
 /* oscillators/van_der_pol.h - the Van der Pol oscillator with variable mass
 
@@ -19424,15 +19432,36 @@ typedef struct VM_TAG(vmi_jeffcott_bracket) {
     vm_real a, b, at_a, at_b;
 } vmi_jeffcott_bracket;
 
+/* Returns the derivative of ln Q with respect to x = ln(A/first_A), where Q is the invariant A^4 (g^2 + m K_e(A)) and m
+   the mass at which the slowly changing radius is A. It is 4 + (1 - g^2/S^2) d(ln K_e)/dx, where S^2 = g^2 + m K_e
+   follows from Q = Q0. The radius follows the mass only as long as this derivative is not 0. Where it is 0, the whirl
+   ends: no radius near A belongs to the next mass. Returns 4 where the slope of K_e overflows, and NaN where it is NaN.
+   */
+VM_API vm_real vmi_jeffcott_rise(vm_real x, void *orbit)
+{
+    const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
+    const vm_real A = o->first_A * vmi_exp(x, 0);
+    vm_real slope, share = 1, growth;
+    const vm_real stiffness = vmi_jeffcott_stiffness(o->r, A, &slope);
+    if (o->gyro != 0) share -= o->gyro * o->gyro / o->first * vmi_exp(4 * x, 0);
+    growth = share * (slope * A / stiffness);
+    if (growth == growth && !VM_IS_FINITE(growth)) return 4;
+    return 4 + growth;
+}
+
 /* Searches for a change of sign of vmi_jeffcott_invariant. The search starts at x = 0, where the value of this function
-   is b->at_a, and each step is twice as long as the step before it. A step to an x where the function is NaN is halved,
-   and from then on the steps do not grow. Returns 1 where a change of sign is found, and 0 where halved steps still
-   lead to NaN. */
+   is b->at_a, and goes in the direction in which the radius changes with the mass. Each step is twice as long as the
+   step before it, up to a change of the radius by 28 %. A step to an x where the function is NaN is halved, and from
+   then on the steps do not grow. A step across a zero of vmi_jeffcott_rise is shortened to this zero, where the search
+   ends. Returns 1 where a change of sign is found, else 0, also where vmi_jeffcott_rise is NaN. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
+    const vm_real longest = VM_C(0.25);
     vm_real step = VM_C(0.0625); /* changes the radius by 6 % */
-    int bounded = 0;
-    if (b->at_a > 0) step = -step;
+    vm_real rise_a = vmi_jeffcott_rise(0, o), rise_b;
+    int bounded = 0, ends = 0;
+    if (rise_a == 0 || rise_a != rise_a) return 0;
+    if ((b->at_a > 0) == (rise_a > 0)) step = -step;
     b->a = 0;
     for (;;) {
         b->b = b->a + step;
@@ -19444,10 +19473,21 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
             b->b = b->a + step;
             b->at_b = vmi_jeffcott_invariant(b->b, o);
         }
+        rise_b = vmi_jeffcott_rise(b->b, o);
+        if (rise_b != rise_b) return 0;
+        if ((rise_b > 0) != (rise_a > 0)) {
+            b->b = vmi_find_zero(vmi_jeffcott_rise, o, b->a, b->b, rise_a, rise_b);
+            if (b->b != b->b) return 0;
+            b->at_b = vmi_jeffcott_invariant(b->b, o);
+            ends = 1;
+        }
+        if (b->at_b != b->at_b) return 0;
         if (b->at_b == 0 || (b->at_b > 0) != (b->at_a > 0)) return 1;
+        if (ends) return 0;
         b->a = b->b;
         b->at_a = b->at_b;
-        if (!bounded) step *= 2;
+        rise_a = rise_b;
+        if (!bounded && VM_FABS(step) < longest) step *= 2;
     }
 }
 
@@ -19458,9 +19498,10 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
    its relative error is then at most 3e-15 (float 3e-6) if the masses have a ratio between 1e-30 and 1e30 (float 1e-9
    and 1e9). Returns NaN for g != 0 with r != 1 (then use
-   vm_jeffcott_whirl_amplitude, which finds the radius by integration); where no radius is found on the way from
-   first_A; for a null pointer; for a rotor without stiffness; and for a radius or masses that are not positive and
-   finite. */
+   vm_jeffcott_whirl_amplitude, which finds the radius by integration); where the whirl ends before the mass is reached,
+   because A^4 (g^2 + m K_e(A)) has an extremum in A there; for a null pointer; for a rotor without stiffness; and for a
+   radius or masses that are not positive and finite. Two extrema whose radii differ by less than 28 % may be
+   overlooked. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -19741,7 +19782,7 @@ VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_
     if (status) return status;
     z = vmi_complex(start[0], start[1]);
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
-    if (stiffness <= 0) return VM_BAD_STIFFNESS;
+    if (!(stiffness > 0) || slope != slope) return VM_BAD_STIFFNESS;
     if (slope != 0) return VM_NO_LAW;
     W1 = vmi_jeffcott_root(r->gyro, mass0, stiffness, 1);
     W2 = vmi_jeffcott_root(r->gyro, mass0, stiffness, -1);
@@ -19854,7 +19895,7 @@ VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm
     if (!VM_IS_FINITE(exact)) return VM_NOT_FINITE;
     A = exact;
     for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, psi);
-    if (exact > 0 && !(VM_FABS(A * vmi_pair_ripple(p, mass, rate, A, psi) - exact) <= exact / 8)) return VM_DOMAIN;
+    if (exact > 0 && !vmi_slow_is_solved(A * vmi_pair_ripple(p, mass, rate, A, psi), exact)) return VM_DOMAIN;
     if (!(A >= 0)) return VM_DOMAIN;
     found[VMI_PAIR_A] = A;
     found[VMI_PAIR_PSI] = psi;
@@ -20290,7 +20331,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
      c[j] = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
    computed by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), because ca is not analytic at u = 1 and, for large
    alpha, bends sharply at u = 0. With x = pi u/2 the cosines follow from cos((2j+3) x) = 2 cos(2x) cos((2j+1) x) -
-   cos((2j-1) x). */
+   cos((2j-1) x). For alpha = 1 all coefficients after the first are exactly 0. */
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
     const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* number of points of the rule in an interval of t of length 1 */
@@ -20316,6 +20357,7 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
     for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
         f->c[j] = 2 * sum[j] / total;
+        if (f->alpha == 1 && j > 0) f->c[j] = 0; /* ca is a cosine */
         f->s[j] = (f->alpha + 1) * (vm_real)(2 * j + 1) * VM_PI / (2 * f->pi) * f->c[j];
     }
 }
@@ -20466,7 +20508,7 @@ typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_para
 
 /* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A)
    = exact, where `exact` is the amplitude at this instant. Returns VM_NOT_FINITE where the exact amplitude overflows,
-   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive. */
+   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or three iterations are not enough. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {
@@ -20477,7 +20519,7 @@ VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, 
     *phi *= VM_PI / f->pi;
     mean = exact;
     for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, *phi, motion[2]);
-    if (!(mean > 0) || !VM_IS_FINITE(mean)) return VM_DOMAIN;
+    if (!(mean > 0) || !vmi_slow_is_solved(mean + ripple(object, n, mean, *phi, motion[2]), exact)) return VM_DOMAIN;
     *A = mean;
     return VM_OK;
 }
@@ -20498,7 +20540,8 @@ VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, v
 /* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude minus
    its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where alpha is
    not 1. The statuses are those of vm_forced_rhs; VM_NOT_FINITE also means that a number of the motion is infinite or
-   NaN, and VM_DOMAIN that the amplitude minus its ripple is not positive. y and motion may be the same array. */
+   NaN, and VM_DOMAIN that the amplitude minus its ripple is not positive, or that the ripple is about as large as the
+   amplitude, as near x = x' = 0. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;
@@ -20926,23 +20969,41 @@ VM_API int vmi_periodic_partner(const vm_periodic *p, int j)
     return n;
 }
 
-VM_API vmi_periodic_sums vmi_periodic_sums_at(const vm_periodic *p, vm_real delta)
+/* The terms of the sums at one phase delta: harmonic j = 2i + 1 adds order j G_j across to S and G_j along to C. All
+   three numbers of a harmonic are 0 if it is in resonance with no harmonic of the force. */
+typedef struct VM_TAG(vmi_periodic_terms) {
+    vm_real G[VMI_FORCED_HARMONICS];      /* G_j at the top of this file */
+    vm_real along[VMI_FORCED_HARMONICS];  /* a_n cos(j delta) - b_n sin(j delta) */
+    vm_real across[VMI_FORCED_HARMONICS]; /* a_n sin(j delta) + b_n cos(j delta) */
+} vmi_periodic_terms;
+
+VM_API void vmi_periodic_terms_at(const vm_periodic *p, vm_real delta, vmi_periodic_terms *terms)
 {
     const vm_forced *f = &p->oscillator;
     vm_complex turns[2 * VMI_FORCED_HARMONICS];
-    vmi_periodic_sums sums = {0, 0, 0};
     int i;
     vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, delta, turns);
     for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
         const int j = 2 * i + 1, n = vmi_periodic_partner(p, j);
-        const vm_real order = (vm_real)j, G = f->Om1 * f->Om1 / 2 * f->c[i];
-        vm_real along, across;
+        terms->G[i] = terms->along[i] = terms->across[i] = 0;
         if (n == 0) continue;
-        along = p->cosine[n] * turns[j].re - p->sine[n] * turns[j].im;
-        across = p->cosine[n] * turns[j].im + p->sine[n] * turns[j].re;
-        sums.S += order * G * across;
-        sums.C += G * along;
-        sums.slope += order * order * G * along;
+        terms->G[i] = f->Om1 * f->Om1 / 2 * f->c[i];
+        terms->along[i] = p->cosine[n] * turns[j].re - p->sine[n] * turns[j].im;
+        terms->across[i] = p->cosine[n] * turns[j].im + p->sine[n] * turns[j].re;
+    }
+}
+
+VM_API vmi_periodic_sums vmi_periodic_sums_at(const vm_periodic *p, vm_real delta)
+{
+    vmi_periodic_terms terms;
+    vmi_periodic_sums sums = {0, 0, 0};
+    int i;
+    vmi_periodic_terms_at(p, delta, &terms);
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
+        const vm_real order = (vm_real)(2 * i + 1), G = terms.G[i];
+        sums.S += order * G * terms.across[i];
+        sums.C += G * terms.along[i];
+        sums.slope += order * order * G * terms.along[i];
     }
     return sums;
 }
@@ -20983,15 +21044,17 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
    at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb phase. The force adds F/(m
    Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
-   where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
-   coefficient of sin(j phi) in sa. For a j and an n that are in resonance the second quotient is left out, since v does
-   not vary at the resonance. */
+   where u = j phi + n theta, v = j phi - n theta, w = (P/Q) nu, and s_j is the Fourier coefficient of sin(j phi) in sa.
+   For a j and an n that are in resonance the second quotient is left out, since v does not vary at the resonance. For
+   all others |j w - n nu| is at least nu/Q. With the frequency of the free vibration of amplitude A in place of w,
+   j w - n nu could be nearly 0 at some amplitudes. */
 VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                    vm_real theta)
 {
     const vm_periodic *p = (const vm_periodic *)periodic;
     const vm_forced *f = &p->oscillator;
-    const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha), w = VM_PI / f->pi * Om;
+    const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
+    const vm_real step = n->nu / (vm_real)p->periods; /* nu/Q: j w and n nu are whole multiples of it */
     vm_complex vibration[2 * VMI_FORCED_HARMONICS], force[VM_PERIODIC_HARMONICS + 1];
     vm_real sa, ca, sum = 0;
     int i, k;
@@ -21000,13 +21063,13 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
     vmi_c_turns(VM_PERIODIC_HARMONICS, theta, force);
     for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
         const int j = 2 * i + 1;
-        const vm_real rate = (vm_real)j * w;
         for (k = 0; k <= VM_PERIODIC_HARMONICS; k++) {
+            const int rate = j * p->vibrations, turn = k * p->periods; /* j w and n nu, divided by nu/Q */
             const vm_complex u = vmi_c_times(vibration[j], force[k]);
             const vm_complex v = vmi_c_times(vibration[j], vmi_c_conjugate(force[k]));
-            const vm_real a = p->cosine[k], b = p->sine[k], turn = (vm_real)k * n->nu;
-            sum += f->s[i] / 2 * (a * u.re + b * u.im) / (rate + turn);
-            if (k == 0 || k != vmi_periodic_partner(p, j)) sum += f->s[i] / 2 * (a * v.re - b * v.im) / (rate - turn);
+            const vm_real a = p->cosine[k], b = k > 0 ? p->sine[k] : 0;
+            sum += f->s[i] / 2 * (a * u.re + b * u.im) / ((vm_real)(rate + turn) * step);
+            if (rate != turn) sum += f->s[i] / 2 * (a * v.re - b * v.im) / ((vm_real)(rate - turn) * step);
         }
     }
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om) * sum;
@@ -21015,7 +21078,8 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
 /* Converts a motion (x, x', theta) under a periodic force, near the resonance, to its mean y = (A, delta, theta) (see
    vm_periodic_averaged_rhs). A is the amplitude without its ripple within a period. Returns the statuses of
    vm_periodic_rhs. In addition it returns VM_NOT_FINITE where a number of the motion is infinite or NaN, and VM_DOMAIN
-   where the amplitude minus its ripple is not positive. y and motion may be the same array. */
+   where the amplitude minus its ripple is not positive, or where the ripple is about as large as the amplitude, as near
+   x = x' = 0. y and motion may be the same array. */
 VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -21047,15 +21111,19 @@ VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_r
                            y[2], motion);
 }
 
-/* What the search for steady vibrations needs. S and C are the sums at the top of this file. */
+/* What the search for steady vibrations needs. S and C are the sums at the top of this file. The search counts phases
+   from an origin. Its results are accurate near a phase where S = 0 if this phase is the origin: the amplitude follows
+   from S, which would otherwise have the rounding error of the phase. */
 typedef struct VM_TAG(vmi_periodic_search) {
     const vm_periodic *p;
     vmi_resonance z; /* its field push is F/m here, without the factor G; its field nu is (P/Q) nu, where nu is the
                         frequency of the force */
-    vm_real side;    /* 1: phases delta are counted from 0; -1: they are counted from pi, where S and C have the
-                        opposite sign */
+    vm_real origin;           /* the phase delta from which phases are counted, rad */
+    vm_real S_at_origin;      /* S at the origin; exactly 0 if the origin is a zero of S */
+    vmi_periodic_terms terms; /* the terms of the sums at the origin */
 } vmi_periodic_search;
 
+/* Prepares the search, with phases counted from delta = 0. */
 VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vmi_forced_parameters *n)
 {
     vmi_periodic_search search;
@@ -21063,19 +21131,44 @@ VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vm
     search.z = vmi_resonance_of(&p->oscillator, n);
     search.z.push = n->force / n->mass;
     search.z.nu = vmi_periodic_frequency(p, n->nu);
-    search.side = 1;
+    search.origin = 0;
+    search.S_at_origin = vmi_periodic_sums_at(p, 0).S;
+    vmi_periodic_terms_at(p, 0, &search.terms);
     return search;
 }
 
-/* The sums S and C at a phase that is counted from 0 or from pi, as the field `side` of the search says. Counting from
-   pi keeps digits near pi, where S is nearly 0 and the rounding error of pi would matter. All harmonics of the
-   vibration are odd; therefore S and C only change their signs if pi is added to the phase. */
+/* Counts phases from `zero`, a zero of S from 0 to pi, or from zero - pi if side is -1. All harmonics of the vibration
+   are odd; therefore S and C only change their signs if pi is subtracted from the phase. */
+VM_API void vmi_periodic_count_from(vmi_periodic_search *s, vm_real zero, int side)
+{
+    int i;
+    vmi_periodic_terms_at(s->p, zero, &s->terms);
+    s->origin = zero;
+    s->S_at_origin = 0;
+    if (side > 0) return;
+    s->origin -= VM_PI;
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) s->terms.G[i] = -s->terms.G[i];
+}
+
+/* The sums at a phase that is counted from the origin of the search */
 VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm_real phase)
 {
-    vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, phase);
-    sums.S *= s->side;
-    sums.C *= s->side;
-    sums.slope *= s->side;
+    vm_complex turns[2 * VMI_FORCED_HARMONICS];
+    vmi_periodic_sums sums = {0, 0, 0};
+    int i;
+    vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, phase, turns);
+    sums.S = s->S_at_origin;
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
+        const vm_real order = (vm_real)(2 * i + 1), G = s->terms.G[i];
+        const vm_real along = s->terms.along[i], across = s->terms.across[i];
+        const vm_complex turn = turns[2 * i + 1];
+        const vm_real now_along = along * turn.re - across * turn.im;
+        vm_real versine = 1 - turn.re; /* 1 - cos(j phase) */
+        if (turn.re > 0) versine = turn.im * turn.im / (1 + turn.re); /* the same without loss of digits */
+        sums.S += order * G * (along * turn.im - across * versine);
+        sums.C += G * now_along;
+        sums.slope += order * order * G * now_along;
+    }
     return sums;
 }
 
@@ -21089,26 +21182,46 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess, which is delta' of the averaged equations times the absolute value of the sum S. The excess is computed
-   at a phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0
-   are the steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. For
-   alpha = 0 the limit includes w |S|, which then does not tend to 0. */
-VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
+/* The excess, which is delta' of the averaged equations times the absolute value of the sum S, at a phase that is
+   counted from the origin of the search, with the amplitude A for which A' = 0. The zeros of the excess with A > 0 are
+   the steady vibrations. */
+typedef struct VM_TAG(vmi_periodic_excess) {
+    vm_real sum;   /* the excess, which is (w - (P/Q) nu) |S| + limit, or limit where no amplitude has A' = 0 */
+    vm_real limit; /* what the excess tends to for A -> 0. For alpha = 0 it includes w |S|, which is then constant. */
+    vm_real reach; /* |sum - limit| is at most this number, and this number falls with A */
+} vmi_periodic_excess;
+
+VM_API vmi_periodic_excess vmi_periodic_excess_at(const vmi_periodic_search *s, vm_real phase)
 {
-    const vmi_periodic_search *s = (const vmi_periodic_search *)search;
     const vmi_resonance *z = &s->z;
     const vmi_periodic_sums sums = vmi_periodic_sums_from(s, phase);
     const vm_real A = vmi_periodic_amplitude(z, sums.S);
-    const vm_real limit = -VM_COPYSIGN(z->p, z->push) * sums.C; /* p C sign(S), where sign(S) is -sign(push p) */
+    vmi_periodic_excess e;
     vm_real w;
-    if (A == 0 && z->exponent <= VM_C(-0.5)) return limit + z->w1 * z->w1 * VM_FABS(z->p / z->push); /* alpha = 0 */
-    if (A == 0) return limit;
-    w = z->w1 * vmi_pow_checked(A, z->exponent);
-    return (w - z->nu) * VM_FABS(sums.S) + limit;
+    e.limit = -VM_COPYSIGN(z->p, z->push) * sums.C; /* p C sign(S), where sign(S) is -sign(push p) */
+    e.reach = z->nu * VM_FABS(sums.S);
+    if (z->exponent <= VM_C(-0.5)) { /* alpha = 0 */
+        e.limit += z->w1 * z->w1 * VM_FABS(z->p / z->push);
+        e.sum = e.limit - e.reach;
+    } else {
+        w = z->w1 * vmi_pow_checked(A, z->exponent);
+        e.sum = e.limit + (w - z->nu) * VM_FABS(sums.S);
+        e.reach += w * VM_FABS(sums.S);
+    }
+    if (A > 0) return e;
+    e.sum = e.limit;
+    e.reach = 0;
+    return e;
 }
 
-/* Returns the steady vibration of a phase that is counted from 0 or pi, with trace and determinant of the linearized
-   averaged equations. The frequency nu of the force follows from the phase. The field A is 0 where there is no such
+/* The field `sum` of the excess, for vmi_find_zero */
+VM_API vm_real vmi_periodic_excess_sum(vm_real phase, void *search)
+{
+    return vmi_periodic_excess_at((const vmi_periodic_search *)search, phase).sum;
+}
+
+/* Returns the steady vibration of a phase that is counted from the origin of the search, with trace and determinant of
+   the linearized averaged equations. The frequency nu of the force follows from the phase. The field A is 0 where there is no such
    vibration. */
 VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real phase)
 {
@@ -21121,8 +21234,7 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
     w = z->w1 * vmi_pow_checked(s.A, z->exponent);
     off = -p * sums.C / sums.S; /* w - (P/Q) nu */
     s.nu = (w - off) * (vm_real)search->p->periods / (vm_real)search->p->vibrations;
-    s.delta = phase;
-    if (search->side < 0) s.delta -= VM_COPYSIGN(VM_PI, phase); /* from -pi to pi */
+    s.delta = search->origin + phase;
     s.trace = -(1 + gain) * p;
     s.det = p * p * gain - p * sums.slope / sums.S * (z->exponent * w + gain * off);
     s.stable = s.det > 0 && s.trace < 0;
@@ -21155,59 +21267,120 @@ VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_
     return VM_OK;
 }
 
-/* Inserts *state into the list `steady` of n states, which has `room` places and is sorted by amplitude. If the list is
-   full, the state with the largest amplitude is dropped. */
-VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, vm_steady_state *steady)
+/* The steady vibrations that a search has found */
+typedef struct VM_TAG(vmi_periodic_list) {
+    int found, room;         /* how many have been found; how many places `steady` has */
+    vm_steady_state *steady; /* those with the smallest amplitudes, sorted by amplitude */
+    vm_real nu;              /* frequency of the force, rad/s */
+} vmi_periodic_list;
+
+/* Inserts a steady vibration into the list. If the list is full, the vibration with the largest amplitude is dropped.
+ */
+VM_API void vmi_periodic_insert(vmi_periodic_list *list, vm_steady_state state)
 {
-    int i = n;
-    if (i > room) i = room;
-    for (; i > 0 && steady[i - 1].A > state->A; i--)
-        if (i < room) steady[i] = steady[i - 1];
-    if (i < room) steady[i] = *state;
+    int i = list->found;
+    if (!(state.A > 0)) return;
+    if (i > list->room) i = list->room;
+    state.nu = list->nu;
+    if (state.delta > VM_PI) state.delta -= 2 * VM_PI;
+    if (state.delta < -VM_PI) state.delta += 2 * VM_PI;
+    for (; i > 0 && list->steady[i - 1].A > state.A; i--)
+        if (i < list->room) list->steady[i] = list->steady[i - 1];
+    if (i < list->room) list->steady[i] = state;
+    list->found++;
+}
+
+/* Inserts the steady vibrations between the phase `far`, where the excess is at_far, and the origin of the search,
+   which is a zero of S. The steps are of one degree, near the origin of three tenths of the phase, because the
+   amplitudes there depend on the ratio of the phases. The walk ends where the excess cannot change its sign any more. */
+VM_API void vmi_periodic_walk(vmi_periodic_search *search, vm_real far, vm_real at_far, vmi_periodic_list *list)
+{
+    const vm_real degree = VM_COPYSIGN(VM_PI / 180, far), ratio = VM_C(0.7);
+    vm_real phase = far, before = at_far;
+    vmi_periodic_excess e;
+    do {
+        const vm_real last = phase;
+        phase *= ratio;
+        if (VM_FABS(last - phase) > VM_FABS(degree)) phase = last - degree;
+        e = vmi_periodic_excess_at(search, phase);
+        if ((before > 0) != (e.sum > 0))
+            vmi_periodic_insert(list, vmi_periodic_state(search, vmi_find_zero(vmi_periodic_excess_sum, search, phase,
+                                                                               last, e.sum, before)));
+        before = e.sum;
+    } while (e.reach > VM_FABS(e.limit) / 2);
+}
+
+/* The sum S at the phase delta, for vmi_find_zero */
+VM_API vm_real vmi_periodic_S(vm_real delta, void *search)
+{
+    return vmi_periodic_sums_at(((const vmi_periodic_search *)search)->p, delta).S;
+}
+
+/* Writes the zeros of S from 0 to pi to `zeros`, in ascending order, and returns how many there are. If S is positive
+   just after zero i, rises[i] is 1, else 0. S(delta + pi) = -S(delta), so that S has at least one zero. It has at most
+   nine, the largest j in S. The function looks for changes of sign in steps of one degree. */
+VM_API int vmi_periodic_zeros(vmi_periodic_search *search, vm_real *zeros, int *rises)
+{
+    const vm_real first = vmi_periodic_S(0, search);
+    vm_real before = first;
+    int degree, n = 0;
+    for (degree = 1; degree <= 180; degree++) {
+        const vm_real left = VM_PI * (vm_real)(degree - 1) / 180, right = VM_PI * (vm_real)degree / 180;
+        vm_real after = -first;
+        int rise = !(first > 0);
+        if (degree < 180) {
+            after = vmi_periodic_S(right, search);
+            rise = after > 0;
+        }
+        if (rise != (before > 0) && n < VM_PERIODIC_HARMONICS) {
+            zeros[n] = vmi_find_zero(vmi_periodic_S, search, left, right, before, after);
+            rises[n] = rise;
+            n++;
+        }
+        before = after;
+    }
+    return n;
 }
 
 /* Steady vibrations under a periodic force, near the resonance, with their amplitudes, phases and stability. All
    parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
-   returns how many there are (this number may be larger than room), or a negative status. The function computes at 360
-   phases, one degree apart, a function of the phase that is 0 for a steady vibration, and looks for its changes of
-   sign. It may therefore miss two vibrations whose phases differ by less than a degree. Such vibrations lie next to a
-   fold of the resonance curve, or, if the damping is small, close to a phase with S = 0, where their amplitudes may
-   differ much. For a harmonic force use vm_forced_steady_states. The function takes about as long as the computation of
-   4000 sines. The negative statuses are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for
-   room < 0, and VM_DOMAIN for q = 0, which the comment of vm_periodic_curve explains. */
+   returns how many there are (this number may be larger than room), or a negative status. The function computes a
+   function of the phase that is 0 for a steady vibration, at phases one degree apart and closer where the amplitudes
+   are small, and looks for its changes of sign. It may therefore miss two vibrations whose phases differ by less than a
+   degree. Such vibrations lie next to a fold of the resonance curve. For a harmonic force use vm_forced_steady_states.
+   The function takes about as long as the computation of 8000 sines. The negative statuses are those of
+   vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0, which the
+   comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
     vmi_periodic_search search;
-    vm_real before, after;
-    int degree, found = 0;
+    vmi_periodic_list list;
+    vm_real zeros[VM_PERIODIC_HARMONICS];
+    int rises[VM_PERIODIC_HARMONICS], count, i;
     const int status = vmi_periodic_at(p, t, &n);
     if (status) return status;
     search = vmi_periodic_search_of(p, &n);
     if (search.z.p == 0) return VM_DOMAIN;
     if (search.z.push == 0) return 0;
-    search.side = -1;
-    after = vmi_periodic_excess(0, &search);
-    for (degree = -180; degree < 180; degree++) { /* phases in degrees: the left end of each interval of one degree */
-        int origin = 0;
-        vm_steady_state state;
-        vm_real left, right;
-        if (degree < -90) origin = -180;
-        if (degree >= 90) origin = 180;
-        search.side = origin ? -1 : 1;
-        left = VM_PI * (vm_real)(degree - origin) / 180;
-        right = VM_PI * (vm_real)(degree + 1 - origin) / 180;
-        before = after;
-        after = vmi_periodic_excess(right, &search);
-        if (!((before > 0) != (after > 0))) continue;
-        state = vmi_periodic_state(&search, vmi_find_zero(vmi_periodic_excess, &search, left, right, before, after));
-        if (!(state.A > 0)) continue;
-        state.nu = n.nu;
-        vmi_periodic_insert(&state, found, room, steady);
-        found++;
+    list.found = 0;
+    list.room = room;
+    list.steady = steady;
+    list.nu = n.nu;
+    count = vmi_periodic_zeros(&search, zeros, rises);
+    for (i = 0; i < count; i++) { /* from one zero of S to the next, on the side where S has the sign of -p push */
+        const int is_last = i == count - 1, side = rises[i] == (search.z.push / search.z.p < 0) ? 1 : -1;
+        const vm_real left = zeros[i], right = is_last ? zeros[0] : zeros[i + 1];
+        const vm_real half = (is_last ? right + VM_PI - left : right - left) / 2;
+        vm_real middle;
+        vmi_periodic_count_from(&search, left, side);
+        middle = vmi_periodic_excess_sum(half, &search);
+        vmi_periodic_walk(&search, half, middle, &list);
+        vmi_periodic_count_from(&search, right, is_last ? -side : side);
+        vmi_periodic_walk(&search, -half, middle, &list);
     }
-    return found;
+    return list.found;
 }
 
 #endif
@@ -21343,6 +21516,8 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 /* The numbers of one body at one time that the averaged equations contain */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
+    vm_real share; /* P_i W at the resonance, where W is the mean of w_0/P_0 and w_1/P_1; w where no resonance is given,
+                      rad/s */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
     vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* turns[k] is e^(i k phi) with the imaginary unit i */
@@ -21359,7 +21534,14 @@ VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_no
         b[i].w = VM_PI / f->pi * b[i].Om;
         b[i].pull = p->spring * A[i];
         b[i].drag = p->damper * 2 * b[i].Om * A[i] / (f->alpha + 1);
+        b[i].share = b[i].w;
         vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, phi[i], b[i].turns);
+    }
+    if (p->vibrations[0] > 0) {
+        const vm_real first = (vm_real)p->vibrations[0], second = (vm_real)p->vibrations[1];
+        const vm_real common = (b[0].w / first + b[1].w / second) / 2;
+        b[0].share = first * common;
+        b[1].share = second * common;
     }
 }
 
@@ -21421,7 +21603,8 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
        + (kappa A_o c_n cos u + c V_o s_n sin u)/(j w_i - n w_o)]    by the other body,
    where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The quotient with j w_i - n w_o is left out for those j and n
-   for which j P_i = n P_o, since u then varies slowly. */
+   for which j P_i = n P_o, since u then varies slowly. For all others j w_i - n w_o must not be nearly 0. Therefore w_i
+   is not the frequency of the free vibration here, but the field `share` of vmi_grounded_body. */
 VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded_now *now, const vmi_grounded_body *b,
                                    const vm_real *A, const vm_real *phi, int i)
 {
@@ -21438,7 +21621,7 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
             const vm_complex v = vmi_c_times(b[i].turns[J], o->turns[N]);
             const vm_complex u = vmi_c_times(b[i].turns[J], vmi_c_conjugate(o->turns[N]));
             const vm_real spring = o->pull * other->c[n], damper = o->drag * other->s[n];
-            const vm_real own_rate = (vm_real)J * b[i].w, other_rate = (vm_real)N * o->w;
+            const vm_real own_rate = (vm_real)J * b[i].share, other_rate = (vm_real)N * o->share;
             sum += f->s[j] / 2 * (spring * v.re - damper * v.im) / (own_rate + other_rate);
             if (p->vibrations[0] > 0 && J * p->vibrations[i] == N * p->vibrations[1 - i]) continue;
             sum += f->s[j] / 2 * (spring * u.re + damper * u.im) / (own_rate - other_rate);
@@ -21449,8 +21632,9 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
 /* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1,
    phi_1). A_0 and A_1 are the amplitudes minus their ripple within a period. The statuses are those of
    vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN. VM_DOMAIN also means that a body
-   is at rest, that an amplitude minus its ripple is not positive, or that the frequencies are in a resonance that the
-   field `vibrations` does not give. y and motion may be the same array. */
+   is at rest, that an amplitude minus its ripple is not positive, that a ripple is about as large as its amplitude, or
+   that the frequencies are in a resonance that the field `vibrations` does not give. y and motion may be the same
+   array. */
 VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -21472,6 +21656,9 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
         for (i = 0; i < 2; i++) A[i] = exact[i] - ripple[i];
         if (!(A[0] > 0) || !(A[1] > 0) || !vmi_all_finite(2, A)) return VM_DOMAIN;
     }
+    vmi_grounded_bodies(p, &now, A, phi, b);
+    for (i = 0; i < 2; i++)
+        if (!vmi_slow_is_solved(A[i] + vmi_grounded_ripple(p, &now, b, A, phi, i), exact[i])) return VM_DOMAIN;
     for (i = 0; i < 2; i++) {
         y[2 * i] = A[i];
         y[2 * i + 1] = phi[i];

@@ -25,10 +25,19 @@ enum {
 enum { FAULT_NUMBER = -1234 };
 
 /* The fault of the present run: call number `at` fails in the way `kind`. `calls` counts from 0. */
-static struct {
+static struct fault_now {
     long calls, at;
     int kind;
 } fault;
+
+/* Stops the faults, so that the test can prepare an object by calls that do not count. Returns what has to be assigned
+   to `fault` afterwards. */
+static inline struct fault_now fault_hold(void)
+{
+    const struct fault_now before = fault;
+    fault.at = -1;
+    return before;
+}
 
 /* Counts a call of a user's function. Returns 1 if this call has to fail. */
 static inline int fault_strikes(void) { return fault.calls++ == fault.at; }

@@ -148,6 +148,16 @@ static inline int call_load_damping(fault_object *o, vm_real *out)
     return fault_load(o, NULL, &damping, VM_ROUTE_RK45, 2, out);
 }
 
+/* The averaged equations alone: the plan is made without faults. */
+static inline int call_averaged_alone(fault_object *o, vm_real *out)
+{
+    const struct fault_now before = fault_hold();
+    vm_osc_plan plan;
+    const int status = vm_osc_plan_init(&plan, &o->problem);
+    fault = before;
+    return status ? status : vm_osc_averaged(&plan, VM_ROUTE_JACOBI, 1, 1, out, out + 1, out + 2);
+}
+
 /* ---- Odd forces ---- */
 
 /* An oscillator whose force and three laws fail */
@@ -184,6 +194,28 @@ static inline int fault_odd_by_route(const fault_object *o, int route, vm_real *
 }
 static inline int call_odd_mean(fault_object *o, vm_real *out) { return fault_odd_by_route(o, VM_ODD_MEAN, out); }
 static inline int call_odd_rk87(fault_object *o, vm_real *out) { return fault_odd_by_route(o, VM_ODD_RK87, out); }
+
+/* A motion by a plan that is made without faults. The route -1 stands for the cheapest route. */
+static inline int fault_odd_alone(const fault_object *o, int route, vm_real *out)
+{
+    const struct fault_now before = fault_hold();
+    const vm_real t = R(0.25), tolerance = R(1e-2);
+    vm_odd_plan plan;
+    vm_odd_motion m;
+    int status = vm_odd_plan_init(&plan, &o->odd, R(0.5));
+    fault = before;
+    m.x = m.v = FAULT_UNTOUCHED;
+    if (!status && route < 0) status = vm_odd_plan_within(&plan, t, tolerance, &m);
+    else if (!status) status = vm_odd_plan_by_route(&plan, route, t, tolerance, &m);
+    return fault_odd_motion(status, &m, out);
+}
+static inline int call_odd_mean_alone(fault_object *o, vm_real *out) { return fault_odd_alone(o, VM_ODD_MEAN, out); }
+static inline int call_odd_order2_alone(fault_object *o, vm_real *out)
+{
+    return fault_odd_alone(o, VM_ODD_ORDER2, out);
+}
+static inline int call_odd_rk87_alone(fault_object *o, vm_real *out) { return fault_odd_alone(o, VM_ODD_RK87, out); }
+static inline int call_odd_within_alone(fault_object *o, vm_real *out) { return fault_odd_alone(o, -1, out); }
 
 /* ---- Van der Pol ---- */
 
@@ -235,6 +267,11 @@ static inline int call_pair_by_method(fault_object *o, vm_real *out)
 {
     return vm_pair_by_method(&o->pair, VM_PAIR_ATEB, 3, fault_state, out);
 }
+/* The result NaN stands for the refusal. */
+static inline int call_vdp_amplitude(fault_object *o, vm_real *out)
+{
+    return fault_number(vm_vdp_amplitude(&o->vdp, 3, 1), out) ? VM_NO_LAW : VM_OK;
+}
 static inline int call_closed_init(fault_object *o, vm_real *out)
 {
     vm_osc_closed closed, before;
@@ -278,10 +315,20 @@ static const fault_row fault_laws[] = {
     FAULT_CALL(call_averaged_trig, 3, problem_laws_and_force, shorter_steps),
     FAULT_CALL(call_plan_by_route, 2, problem_laws_and_force, shorter_steps),
     FAULT_CALL(call_within_short, 2, problem_laws, shorter_steps),
+    FAULT_CALL(call_averaged_alone, 3, problem_laws_and_force, error_of_law),
     FAULT_CALL(call_load_damping, 2, problem_mass, shorter_steps),
+    FAULT_CALL(call_load_damping, 2, problem_force, shorter_steps),
     FAULT_CALL(call_odd_mean, 2, odd_problem_averaged, shorter_steps_of_a_long_call),
     FAULT_CALL(call_odd_rk87, 2, odd_problem_all, shorter_steps_of_a_long_call),
     FAULT_RHS(vm_odd_rhs, 2, odd_problem_all, error_of_law),
+    FAULT_CALL(call_odd_mean_alone, 2, odd_problem_force, shorter_steps),
+    FAULT_CALL(call_odd_order2_alone, 2, odd_problem_force, shorter_steps),
+    FAULT_CALL(call_odd_rk87_alone, 2, odd_problem_force, shorter_steps),
+    FAULT_CALL(call_odd_within_alone, 2, odd_problem_force, shorter_steps),
+    FAULT_CALL(call_odd_mean_alone, 2, duffing_laws, shorter_steps),
+    FAULT_CALL(call_odd_order2_alone, 2, duffing_laws, shorter_steps),
+    FAULT_CALL(call_odd_rk87_alone, 2, duffing_laws, shorter_steps),
+    FAULT_CALL(call_odd_within_alone, 2, duffing_laws, shorter_steps),
     FAULT_CALL(call_vdp_ateb, 2, vdp_laws, shorter_steps),
     FAULT_CALL(call_vdp_order3, 2, vdp_laws, shorter_steps),
     FAULT_CALL(call_vdp_rk87_short, 2, vdp_laws, shorter_steps),
@@ -297,6 +344,7 @@ static const fault_row fault_refusals[] = {
     FAULT_CALL(call_pair_at, 4, pair_mass, error_of_law),
     FAULT_CALL(call_pair_by_method, 4, pair_mass, error_of_law),
     FAULT_CALL(call_closed_init, 1, problem_laws, error_of_law),
+    FAULT_CALL(call_vdp_amplitude, 1, vdp_mass, error_of_law),
 };
 
 /* The status of a function that refuses laws of a user is VM_NO_LAW, or where a law fails at any of its calls, the

@@ -134,49 +134,94 @@ static inline void fault_each_output(outcome *o)
 /* ---- Single calls ---- */
 
 /* The budget at one time. An error leaves it as it was. */
-static inline void fault_budget(outcome *o, int by_law)
+static inline void fault_budget_of(fault_scene *f, outcome *o)
 {
-    const long at = fault.at;
+    const struct fault_now before = fault_hold();
     vm_budget now;
-    fault_scene f;
-    fault.at = -1;
-    fault_masses_clear(&f, by_law);
-    vm_scene_keep_budget(&f.scene, &f.budget);
-    vm_scene_start(&f.scene, 0, f.y, NULL);
+    vm_scene_keep_budget(&f->scene, &f->budget);
+    vm_scene_start(&f->scene, 0, f->y, NULL);
     memset(&now, 0, sizeof now);
     now.energy = FAULT_UNTOUCHED;
-    fault.at = at;
-    fault.calls = 0;
-    o->status = o->again = vm_scene_budget_at(&f.scene, 0, f.y, &now);
+    fault = before;
+    o->status = o->again = vm_scene_budget_at(&f->scene, 0, f->y, &now);
     if (o->status < 0) {
         o->sound = now.energy == FAULT_UNTOUCHED;
-        o->again = vm_scene_budget_at(&f.scene, 0, f.y, &now);
+        o->again = vm_scene_budget_at(&f->scene, 0, f->y, &now);
     }
     o->result = (double)(now.energy + now.energy_defect + now.momentum.x);
 }
+static inline void fault_budget(outcome *o, int by_law)
+{
+    fault_scene f;
+    fault_masses_clear(&f, by_law);
+    fault_budget_of(&f, o);
+}
 
-/* The right-hand side of a scene: all derivatives are NaN and the scene has the status of the fault, which the next
-   evaluation takes away. */
+/* The right-hand side of a scene. Where the scene has the status of the fault, all derivatives are NaN; a NaN in a load
+   may also make only some of them NaN, without a status. The next evaluation takes the status and the NaN away. */
+static inline void fault_rhs_of(fault_scene *f, outcome *o)
+{
+    const struct fault_now before = fault_hold();
+    vm_real dydt[FAULT_SCENE_STATES];
+    int i, n;
+    vm_scene_start(&f->scene, 0, f->y, NULL);
+    n = vm_scene_size(&f->scene);
+    fault = before;
+    o->sound = vm_scene_rhs(0, f->y, dydt, &f->scene) == 0;
+    o->status = f->scene.status;
+    for (i = 0; i < n; i++)
+        if (o->status && dydt[i] == dydt[i]) o->sound = 0;
+    if (!vmi_all_finite(n, dydt)) vm_scene_rhs(0, f->y, dydt, &f->scene);
+    o->again = f->scene.status;
+    o->result = (double)fault_sum(n, dydt);
+}
 static inline void fault_scene_rhs(outcome *o, int by_law)
 {
-    const long at = fault.at;
-    vm_real dydt[4];
     fault_scene f;
-    int i;
-    fault.at = -1;
     fault_masses_clear(&f, by_law);
     f.scene.n_bodies = 2;
-    vm_scene_start(&f.scene, 0, f.y, NULL);
-    fault.at = at;
-    fault.calls = 0;
-    o->sound = vm_scene_rhs(0, f.y, dydt, &f.scene) == 0;
-    o->status = f.scene.status;
-    if (o->status) {
-        for (i = 0; i < 4; i++) o->sound = o->sound && dydt[i] != dydt[i];
-        vm_scene_rhs(0, f.y, dydt, &f.scene);
-    }
-    o->again = f.scene.status;
-    o->result = (double)fault_sum(4, dydt);
+    fault_rhs_of(&f, o);
+}
+
+/* A scene with all further effects that call a function of a user: a force on body 0, a force between the first two
+   bodies, a custom effect, a stream that varies, and a link to a point that moves */
+static inline void fault_all_effects(fault_scene *f)
+{
+    fault_scene_clear(f);
+    f->bodies[1] = vm_scene_body_plane(1, 1, vmi_vec3(2, 0, 0), 0, vmi_vec3(1, 0, 0), R(0.5));
+    f->bodies[1] = vm_scene_body_growing_plane(f->bodies[1]);
+    f->bodies[2] = vm_scene_body_point(1, vmi_vec3(R(0.125), -2, 0), vmi_vec3(0, 0, 0));
+    f->scene.n_bodies = 3;
+    f->effects[0] = vm_effect_force(0, 0, faulty_scene_force, NULL);
+    f->effects[1] = vm_effect_force_between(1, 0, 0, 0, faulty_scene_force, NULL);
+    f->effects[2] = vm_effect_custom(0, VM_GROUND, faulty_custom, NULL);
+    f->effects[3] = vm_effect_varying(vm_effect_stream_mass(1, &f->stream), faulty_vary, NULL);
+    f->effects[4] = vm_effect_link(2, VM_GROUND, faulty_support, NULL, 2, 0, 10);
+    f->scene.n_effects = 5;
+}
+
+/* None of these effects changes a mass, so that the budget has the right numbers even where they give NaN. */
+static inline void fault_budget_of_effects(outcome *o)
+{
+    fault_scene f;
+    fault_all_effects(&f);
+    fault_budget_of(&f, o);
+}
+static inline void fault_rhs_of_effects(outcome *o)
+{
+    fault_scene f;
+    fault_all_effects(&f);
+    fault_rhs_of(&f, o);
+}
+
+/* A custom effect that sets the status of the scene */
+static inline void fault_rhs_of_status(outcome *o)
+{
+    fault_scene f;
+    fault_all_effects(&f);
+    f.effects[0] = vm_effect_custom(0, VM_GROUND, faulty_custom_status, NULL);
+    f.scene.n_effects = 1;
+    fault_rhs_of(&f, o);
 }
 
 /* ---- Further effects ---- */
@@ -324,6 +369,9 @@ static const scenario fault_effects[] = {
     FAULT_OF_SCENE("four varying effects", fault_growing, FAULT_NAN, 0),
     FAULT_OF_SCENE("force, vm_effect_joints", fault_pinned, FAULT_NAN, 0),
     FAULT_OF_SCENE("vm_effect_link, cord", fault_cord, FAULT_NAN, 0),
+    {"vm_scene_rhs, all effects", fault_rhs_of_effects, {FAULT_NAN, 0, VM_NOT_FINITE, 0, 0, 0}, NULL, NULL},
+    {"vm_scene_rhs, scene.status", fault_rhs_of_status, {FAULT_ALL, VM_SINGULAR, VM_NOT_FINITE, 0, 0, 0}, NULL, NULL},
+    {"vm_scene_budget_at, all effects", fault_budget_of_effects, {FAULT_NAN, 0, 0, 0, 0, 0}, NULL, NULL},
 };
 
 #endif

@@ -404,6 +404,20 @@ static inline void rotor_mass(fault_object *o)
     o->rotor.stiffness_ctx = &linear;
 }
 
+/* A rotor on a linear shaft, whose stiffness is a function of a user */
+static inline vm_real faulty_linear_shaft(vm_real rho, vm_real *slope, void *ctx)
+{
+    (void)rho;
+    (void)ctx;
+    *slope = 0;
+    return fault_value(fault_strikes_nan(), 2);
+}
+static inline void rotor_mass_and_linear_shaft(fault_object *o)
+{
+    rotor_mass(o);
+    o->rotor.stiffness = faulty_linear_shaft;
+}
+
 static inline int call_rotor_to_averaged(fault_object *o, vm_real *out)
 {
     return vm_jeffcott_to_averaged(&o->rotor, 1, fault_state, R(0.5), out);
@@ -641,6 +655,7 @@ static const fault_row fault_oscillators[] = {
     FAULT_CALL(call_plan, 2, problem_mass, shorter_steps),
     FAULT_CALL(call_load_velocity, 2, problem_sound, shorter_steps),
     FAULT_CALL(call_load_force, 1, problem_mass, nan_for_error),
+    FAULT_CALL(call_load_force, 1, problem_force, nan_for_error),
     FAULT_CALL(call_adiabaticity, 1, problem_mass, nan_for_error),
     FAULT_CALL(call_within_coarse, 2, problem_force, shorter_steps_over_nan),
     FAULT_CALL(call_averaged_ateb, 3, problem_force, shorter_steps_over_nan),
@@ -668,6 +683,9 @@ static const fault_row fault_oscillators[] = {
     FAULT_CALL(call_rotor_whirl_amplitude, 1, rotor_mass_and_shaft, shorter_steps_over_nan),
     FAULT_CALL(call_rotor_whirl_at, 1, rotor_mass_and_shaft, rotor_error),
     FAULT_CALL(call_rotor_linear_at, 4, rotor_mass, shorter_steps),
+    FAULT_CALL(call_rotor_linear_at, 4, rotor_mass_and_linear_shaft, rotor_error),
+    FAULT_RHS(vm_jeffcott_forward_whirl_rhs, 2, rotor_mass_shaft_and_force, rotor_rhs_error),
+    FAULT_RHS(vm_jeffcott_backward_whirl_rhs, 2, rotor_mass_shaft_and_force, rotor_rhs_error),
     FAULT_RHS(vm_pair_rhs, 4, pair_mass, rhs_error_of_law),
     FAULT_RHS(vm_pair_averaged_rhs, 4, pair_mass, rhs_error_of_law),
     FAULT_CALL(call_pair_to_averaged, 4, pair_mass, shorter_steps),

@@ -1,5 +1,6 @@
 /* faults_runs.h - what faults_integrators.h leaves out: states too long for registers, runs backward, steps and rows
-   with events, the continuous extension, restarts and saved runs, all with functions of a user that fail */
+   with events, the continuous extension, the search for turning points in a step, restarts and saved runs, all with
+   functions of a user that fail */
 #ifndef FAULTS_RUNS_H
 #define FAULTS_RUNS_H
 
@@ -105,6 +106,40 @@ static inline int fault_inside_87(rk45 *s, vm_real t, vm_real *y) { return rk87_
 static inline void fault_rk45_interpolate(outcome *o) { fault_interpolate(o, &fault_rk45, fault_inside_45); }
 static inline void fault_rk87_interpolate(outcome *o) { fault_interpolate(o, &fault_rk87, fault_inside_87); }
 
+/* Turning points and zero crossings in steps of rk87. The right-hand side fails only in the search, where rk87
+   evaluates it for the continuous extension. Another search in the same step finds the points, and the run goes on. */
+static inline long fault_search(rk45 *s, int kind, vm_real *sum)
+{
+    vm_real buffer[FAULT_N];
+    vm_sample samples[4];
+    long found, i;
+    fault_fill(FAULT_N, buffer);
+    found = vm_find_samples_of_step(s, 0, 1, kind, buffer, 4, samples);
+    for (i = 0; i < found && i < 4; i++) *sum += samples[i].t + samples[i].x + samples[i].v;
+    return found;
+}
+static inline void fault_samples_of_steps(outcome *o)
+{
+    vm_real sum = 0;
+    fault_ode r;
+    int calls, kind;
+    memset(&r, 0, sizeof r);
+    fault_begin(&fault_rk87, &r, faulty_rhs, 0);
+    for (calls = 0; calls < 200 && r.s.t < 5; calls++) {
+        const struct fault_now before = fault_hold();
+        if (rk87_step(&r.s) < 0) o->sound = 0;
+        fault = before;
+        for (kind = VM_TURNING_POINTS; kind <= VM_ZERO_CROSSINGS; kind++) {
+            long found = fault_search(&r.s, kind, &sum);
+            if (found < 0) o->status = (int)found;
+            if (found < 0) found = fault_search(&r.s, kind, &sum);
+            if (found < 0) o->again = (int)found;
+        }
+    }
+    o->sound = o->sound && fault_ode_is_sound(&r, 10);
+    o->result = (double)sum + (double)fault_sum(FAULT_N, r.s.y);
+}
+
 /* ---- Events in single steps and with rows ---- */
 
 enum { FAULT_ROOM = 8 };
@@ -181,6 +216,85 @@ static inline void fault_rk87_event_rows(outcome *o) { fault_event_rows(o, &faul
 static inline void fault_rk45_rows_both(outcome *o) { fault_event_rows(o, &fault_rk45, faulty_rhs); }
 static inline void fault_rk87_rows_both(outcome *o) { fault_event_rows(o, &fault_rk87, faulty_rhs); }
 
+/* ---- Events whose `change` writes NaN ---- */
+
+/* The velocity after each zero of the position */
+#define FAULT_VELOCITY R(-0.75)
+
+static inline vm_real sound_position(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return y[0];
+}
+static inline vm_real sound_velocity(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    return y[1];
+}
+static inline void faulty_change(vm_real t, vm_real *y, void *ctx)
+{
+    (void)t;
+    (void)ctx;
+    y[1] = fault_value(fault_strikes(), FAULT_VELOCITY);
+}
+
+/* Four ways to t = 9: each of them goes on from the present time of the run. */
+static inline int fault_go_by_steps(const fault_method *m, rk45 *s)
+{
+    int status = ODE_OK;
+    while (s->t < 8 && status >= 0) status = m->step(s);
+    return status < 0 ? status : m->solve(s, 9);
+}
+static inline int fault_go(const fault_method *m, rk45 *s) { return m->solve(s, 9); }
+static inline int fault_go_with(const fault_method *m, rk45 *s)
+{
+    if (m == &fault_rk45) return rk45_solve_with(s, sound_rhs, FAULT_N, 9);
+    return rk87_solve_with(s, sound_rhs, FAULT_N, 9);
+}
+static inline int fault_go_by_rows(const fault_method *m, rk45 *s)
+{
+    static const vm_real times[3] = {3, 6, 9};
+    vm_real rows[3 * FAULT_N];
+    int first = 0;
+    while (first < 2 && times[first] < s->t) first++;
+    return m->solve_at(s, 3 - first, times + first, rows, NULL);
+}
+
+/* The run of fault_recorded, but the second event sets the velocity at every zero of the position, and only its
+   function `change` fails. Where this function writes NaN, the run ends at the time of the event, and is then restarted
+   with the right velocity. */
+static inline void fault_change(outcome *o, const fault_method *m, int (*go)(const fault_method *m, rk45 *s))
+{
+    fault_recorded r;
+    int calls;
+    fault_begin_recorded(m, &r, sound_rhs);
+    r.ode.events[0].g = sound_velocity;
+    r.ode.events[1].g = sound_position;
+    r.ode.events[1].direction = 0;
+    r.ode.events[1].change = faulty_change;
+    o->status = o->again = go(m, &r.ode.s);
+    for (calls = 0; calls < FAULT_MOST_CALLS && o->again < 0; calls++) {
+        const vm_real y[FAULT_N] = {r.ode.s.y[0], FAULT_VELOCITY}, t = r.ode.s.t;
+        int restarted;
+        o->sound = o->sound && t > 0 && t < 9 && t == r.ode.events[1].t && r.ode.s.y[1] != r.ode.s.y[1];
+        if (m == &fault_rk45) restarted = rk45_restart(&r.ode.s, t, y);
+        else restarted = rk87_restart(&r.ode.s, t, y);
+        o->sound = o->sound && restarted == ODE_OK;
+        o->again = go(m, &r.ode.s);
+    }
+    o->result = fault_sum_of_records(&r) + (double)fault_sum(FAULT_N, r.ode.s.y);
+}
+static inline void fault_rk45_change_step(outcome *o) { fault_change(o, &fault_rk45, fault_go_by_steps); }
+static inline void fault_rk87_change_step(outcome *o) { fault_change(o, &fault_rk87, fault_go_by_steps); }
+static inline void fault_rk45_change(outcome *o) { fault_change(o, &fault_rk45, fault_go); }
+static inline void fault_rk87_change(outcome *o) { fault_change(o, &fault_rk87, fault_go); }
+static inline void fault_rk45_change_with(outcome *o) { fault_change(o, &fault_rk45, fault_go_with); }
+static inline void fault_rk87_change_with(outcome *o) { fault_change(o, &fault_rk87, fault_go_with); }
+static inline void fault_rk45_change_rows(outcome *o) { fault_change(o, &fault_rk45, fault_go_by_rows); }
+static inline void fault_rk87_change_rows(outcome *o) { fault_change(o, &fault_rk87, fault_go_by_rows); }
+
 /* ---- Restarts and saved runs ---- */
 
 /* After an error the run is restarted from its own time and state. */
@@ -246,6 +360,15 @@ static const scenario fault_runs[] = {
     FAULT_OF_RUN("rk87_solve_at, event g", fault_rk87_event_rows, FAULT_NAN, FAULT_STEPS),
     FAULT_OF_RUN("rk45_solve_at, f and g", fault_rk45_rows_both, FAULT_STATUS + FAULT_NAN, FAULT_STEPS),
     FAULT_OF_RUN("rk87_solve_at, f and g", fault_rk87_rows_both, FAULT_STATUS + FAULT_NAN, FAULT_STEPS),
+    FAULT_OF_RUN("rk45_step, change", fault_rk45_change_step, FAULT_NAN, FAULT_STEPS),
+    FAULT_OF_RUN("rk87_step, change", fault_rk87_change_step, FAULT_NAN, FAULT_STEPS),
+    FAULT_OF_RUN("rk45_solve, change", fault_rk45_change, FAULT_NAN, FAULT_STEPS),
+    FAULT_OF_RUN("rk87_solve, change", fault_rk87_change, FAULT_NAN, FAULT_STEPS),
+    FAULT_OF_RUN("rk45_solve_with, change", fault_rk45_change_with, FAULT_NAN, FAULT_STEPS),
+    FAULT_OF_RUN("rk87_solve_with, change", fault_rk87_change_with, FAULT_NAN, FAULT_STEPS),
+    FAULT_OF_RUN("rk45_solve_at, change", fault_rk45_change_rows, FAULT_NAN, FAULT_STEPS),
+    FAULT_OF_RUN("rk87_solve_at, change", fault_rk87_change_rows, FAULT_NAN, FAULT_STEPS),
+    {"vm_find_samples_of_step", fault_samples_of_steps, {FAULT_ALL, VM_NOT_FINITE, VM_NOT_FINITE, 0, 0, 0}, NULL, NULL},
     FAULT_OF_RUN("rk45_restart", fault_rk45_restart, FAULT_ALL, FAULT_STEPS),
     FAULT_OF_RUN("rk87_restart", fault_rk87_restart, FAULT_ALL, FAULT_STEPS),
     FAULT_OF_RUN("rk45_save, rk45_resume", fault_rk45_saved, FAULT_STATUS + FAULT_NAN, FAULT_STEPS),

@@ -18,6 +18,7 @@ typedef struct fault_scene {
     vm_law law;
     vm_budget budget;
     vm_body part;
+    vm_stream stream;
     long outputs; /* number of times of output that were reached */
 } fault_scene;
 
@@ -245,6 +246,54 @@ static inline void fault_scene_then(outcome *o)
     fault_scene_play(&f, 3, o);
 }
 
+/* An action that sets the velocity of body 0. A NaN ends the run at the time of the event with this NaN in the state;
+   another call goes on with the right velocity. */
+#define FAULT_SET_VELOCITY R(0.25)
+static inline int faulty_set(vm_real t, vm_real *y, void *ctx)
+{
+    const int strikes = fault_strikes();
+    (void)t;
+    (void)ctx;
+    y[1] = fault_value(strikes, FAULT_SET_VELOCITY);
+    return fault_status(strikes);
+}
+static inline void fault_play_set(fault_scene *f, outcome *o)
+{
+    int i;
+    o->again = vm_scene_start(&f->scene, 0, f->y, NULL);
+    for (i = 0; i < 6 && f->t < 3; i++) {
+        o->again = vm_scene_run(&f->scene, &f->t, 3, f->y, f->work, NULL);
+        if (o->again < 0 && o->status == 0) o->status = o->again;
+        o->sound = o->sound && f->t > 0 && f->t <= 3;
+        if (o->again < 0) f->y[1] = FAULT_SET_VELOCITY;
+        o->sound = o->sound && vmi_all_finite(vm_scene_size(&f->scene), f->y);
+    }
+    if (f->t != 3) o->again = -1;
+    o->result = fault_scene_sum(f);
+}
+static inline void fault_scene_set(outcome *o)
+{
+    fault_scene f;
+    fault_scene_clear(&f);
+    f.events[0] = vm_then_user(vm_event_position(1, 0, R(2.25), 0), faulty_set, NULL);
+    f.events[1] = vm_then_user(vm_event_at(1), faulty_set, NULL);
+    f.scene.n_events = 2;
+    fault_play_set(&f, o);
+}
+
+/* A list of two such actions */
+static inline void fault_scene_set_twice(outcome *o)
+{
+    const vm_event any = vm_event_position(1, 0, R(2.25), 0);
+    fault_scene f;
+    fault_scene_clear(&f);
+    f.actions[0] = vm_then_user(any, faulty_set, NULL);
+    f.actions[1] = vm_then_user(any, faulty_set, NULL);
+    f.events[0] = vm_then_all(any, f.actions, 2);
+    f.scene.n_events = 1;
+    fault_play_set(&f, o);
+}
+
 static inline int faulty_output(vm_real t, const vm_real *y, vm_scene *scene, void *ctx)
 {
     fault_scene *f = (fault_scene *)ctx;
@@ -290,6 +339,8 @@ static const scenario fault_scenes[] = {
     FAULT_OF_SCENE("vm_effect_link", fault_scene_link, FAULT_NAN, 0),
     FAULT_OF_SCENE("vm_event_user", fault_scene_when, FAULT_NAN, 0),
     FAULT_OF_SCENE("vm_then_user", fault_scene_then, FAULT_STATUS, FAULT_NUMBER),
+    FAULT_OF_SCENE("vm_then_user, NaN in y", fault_scene_set, FAULT_ALL, FAULT_NUMBER),
+    FAULT_OF_SCENE("vm_then_all, NaN in y", fault_scene_set_twice, FAULT_ALL, FAULT_NUMBER),
     FAULT_OF_SCENE("scene.output", fault_scene_output, FAULT_STATUS, VM_STOPPED),
 };
 

@@ -21,6 +21,14 @@ static vm_real decay(vm_real t, void *ctx)
     return vmi_exp(-rate * t, 0);
 }
 
+/* A vibration whose velocity is below the smallest normal number */
+static void tiny_motion(vm_real t, vm_real *x, vm_real *v, void *ctx)
+{
+    cosine_motion(t, x, v, ctx);
+    *x *= VM_MIN / 8;
+    *v *= VM_MIN / 8;
+}
+
 static void test_turning_points(void)
 {
     vm_sample found[40];
@@ -53,6 +61,7 @@ static void test_zero_crossings(void)
     CHECK(vm_find_samples(cosine_motion, NULL, VM_ZERO_CROSSINGS, 0, R(31.5), R(0.5), 3, found) == 10);
     near_eps("envelope error", "velocity",
              1 + (double)vm_envelope_error(VM_ZERO_CROSSINGS, 3, found, decay, &none), 1, 4);
+    CHECK(vm_find_samples(tiny_motion, NULL, VM_ZERO_CROSSINGS, 0, R(31.5), R(0.5), 40, found) == 10);
 }
 
 static void test_points_of_a_run(void)

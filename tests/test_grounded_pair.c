@@ -199,6 +199,44 @@ static void test_maps(void)
 
 /* ---- Bad input ---- */
 
+/* At a resonance of any P_0 and P_1, the amplitudes that vm_grounded_pair_to_averaged finds in a motion are those that
+   vm_grounded_pair_from_averaged put into it, if the ripple is small. Where a divisor of the ripple was nearly 0 at
+   some amplitude, they were up to a hundred times as large or as small. */
+static void test_mean_at_resonances(void)
+{
+    int P, Q, i, k;
+    for (P = 1; P <= 9; P++)
+        for (Q = 1; Q <= 9; Q++) {
+            const double ratio = (double)Q / P;
+            vm_grounded_pair p;
+            memset(&p, 0, sizeof p);
+            for (i = 0; i < 2; i++) {
+                p.oscillator[i].alpha = 3;
+                p.oscillator[i].mass = p.oscillator[i].stiffness = linear(1, 0);
+            }
+            p.spring = R(0.05);
+            p.vibrations[0] = P;
+            p.vibrations[1] = Q;
+            CHECK(vm_grounded_pair_init(&p) == VM_OK);
+            for (i = 0; i < 24; i++)
+                for (k = 0; k < 24; k++) {
+                    const vm_real y[4] = {1, R(-3 + 0.25 * i), R(ratio), R(-3 + 0.25 * k)};
+                    vm_real motion[4], back[4] = {0, 0, 0, 0}, x, psi;
+                    double ripple = 0;
+                    int body;
+                    if (vm_grounded_pair_from_averaged(&p, 0, y, motion) != VM_OK) continue;
+                    for (body = 0; body < 2; body++) {
+                        vmi_slow_phase(motion[body], motion[2 + body], 1, 1, 3, &x, &psi);
+                        ripple = fmax(ripple, fabs((double)(x / y[2 * body]) - 1));
+                    }
+                    if (ripple > 0.08) continue;
+                    CHECK(vm_grounded_pair_to_averaged(&p, 0, motion, back) == VM_OK);
+                    check_error("mean", "A_0 at P_0 : P_1", "", fabs((double)back[0] - 1), 0.03, P, Q);
+                    check_error("mean", "A_1 at P_0 : P_1", "", fabs((double)back[2] / ratio - 1), 0.03, P, Q);
+                }
+        }
+}
+
 static void test_refusals(void)
 {
     const pair_row row = {{3, 3}, {1, 1}, {1, 1}, 1, 0, {0, 0}, 0, 0, 0, 0};
@@ -236,6 +274,7 @@ int main(void)
     test_invariant();
     test_linear_modes();
     test_maps();
+    test_mean_at_resonances();
     test_refusals();
     return check_finish("grounded_pair");
 }

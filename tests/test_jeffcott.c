@@ -671,6 +671,55 @@ static void test_power_of_extreme_exponent(void)
     CHECK(vm_jeffcott_power(2, &slope, &p) == VM_INFINITY && vm_jeffcott_power(R(0.5), &slope, &p) == 0);
 }
 
+/* Shafts whose A^4 K_e(A) has extrema: K_e = 1 - rho^2/2 and K_e = 1 - rho^2 + 0.27 rho^4 */
+static vm_real softening_shaft(vm_real rho, vm_real *slope, void *ctx)
+{
+    (void)ctx;
+    *slope = -rho;
+    return 1 - rho * rho / 2;
+}
+
+static vm_real folding_shaft(vm_real rho, vm_real *slope, void *ctx)
+{
+    const vm_real s = rho * rho;
+    (void)ctx;
+    *slope = rho * (R(1.08) * s - 2);
+    return 1 - s + R(0.27) * s * s;
+}
+
+/* The radius goes the way on which m A^4 K_e(A) stays constant as the mass changes, also where this product falls with
+   A, and it ends at an extremum of A^4 K_e. Without regard to this it jumped to another root of the equation. */
+static void test_extrema(void)
+{
+    const double end = 1.0540926; /* 4 - 6 A^2 + 2.16 A^4 = 0 there: A^4 K_e has a maximum */
+    vm_real before = R(0.94868329805051379960); /* sqrt(0.9) */
+    const vm_real first = before;
+    vm_jeffcott r;
+    vm_real slope, mass;
+    int i, ended = 0;
+    memset(&r, 0, sizeof r);
+    r.reactive = 1;
+    r.stiffness = softening_shaft;
+    for (i = -20; i <= 20; i++) {
+        const vm_real A = vm_jeffcott_amplitude(&r, R(1.3), 1, 1 + R(0.002) * (vm_real)i);
+        const double kept = (double)(A * A * A * A * softening_shaft(A, &slope, NULL) * (1 + R(0.002) * (vm_real)i));
+        near("(509)", "falling product", kept, pow(1.3, 4) * (1 - 0.845), 1e-14, 1e-5);
+        check_error("(509)", "radius where the product falls", "", fabs((double)A - 1.3), 0.02, i, (double)A);
+        CHECK(i == 0 || (A > R(1.3)) == (i > 0));
+    }
+    r.stiffness = folding_shaft;
+    for (mass = 1; mass > R(0.9); mass -= R(1.0) / 512) {
+        const vm_real A = vm_jeffcott_amplitude(&r, first, 1, mass);
+        if (is_nan(A)) ended = 1;
+        else {
+            CHECK(!ended && A >= before && (double)A < end);
+            check_error("(509)", "step of the radius", "", (double)(A - before), 0.02, (double)mass, (double)A);
+            before = A;
+        }
+    }
+    CHECK(ended && (double)before > 1.02);
+}
+
 static void test_bad_input(void)
 {
     const double bad[] = {0, -1, (double)VM_NAN, (double)VM_INFINITY};
@@ -718,6 +767,7 @@ int main(void)
     test_frequencies_of_any_size();
     test_extreme_masses();
     test_power_of_extreme_exponent();
+    test_extrema();
     test_bad_input();
     return check_finish("jeffcott");
 }

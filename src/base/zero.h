@@ -8,13 +8,15 @@
 
 #include "real.h"
 
-/* Returns a zero of f between a and b, as accurate as the type allows. fa = f(a) and fb = f(b) must differ in sign.
+/* Returns a zero of f between a and b, as accurate as the type allows, or NaN where a value of f is NaN. fa = f(a) and
+   fb = f(b) must differ in sign.
    Method (Illinois): the next x is the zero of the secant through both ends of the interval. If one end of the interval
    has not moved for two steps, the method halves the value of f that is stored for this end. Every fourth step bisects
    the interval unless the last four steps have made the interval eight times shorter. */
 VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_real a, vm_real b, vm_real fa,
                              vm_real fb)
 {
+    const int is_positive_at_b = fb > 0;
     vm_real width = VM_FABS(b - a);
     int i, side = 0;
     if (fa == 0) return a;
@@ -28,11 +30,12 @@ VM_API vm_real vmi_find_zero(vm_real (*f)(vm_real x, void *ctx), void *ctx, vm_r
             }
             width = VM_FABS(b - a);
         }
-        if (!((x > a) == (x < b)) || x == a || x == b) x = a + (b - a) / 2;
+        if (!(x > a && x < b) && !(x > b && x < a)) x = a + (b - a) / 2; /* also where x is NaN */
         if (x == a || x == b) break;
         fx = f(x, ctx);
         if (fx == 0) return x;
-        if ((fx > 0) == (fb > 0)) {
+        if (fx != fx) return VM_NAN;
+        if ((fx > 0) == is_positive_at_b) {
             b = x;
             fb = fx;
             if (side == 1) fa /= 2;

@@ -84,7 +84,7 @@ VM_API int vmi_forced_at(const vm_forced *f, vm_real t, vmi_forced_parameters *n
      c[j] = 2 int_0^1 ca(Pi u/2) cos((2j+1) pi u/2) du,
    computed by the tanh-sinh rule u = 1/(1 + e^(-pi sinh t)), because ca is not analytic at u = 1 and, for large
    alpha, bends sharply at u = 0. With x = pi u/2 the cosines follow from cos((2j+3) x) = 2 cos(2x) cos((2j+1) x) -
-   cos((2j-1) x). */
+   cos((2j-1) x). For alpha = 1 all coefficients after the first are exactly 0. */
 VM_API void vmi_forced_fourier(vm_forced *f)
 {
     const int steps = VM_MANT_DIG > 24 ? 16 : 8; /* number of points of the rule in an interval of t of length 1 */
@@ -110,6 +110,7 @@ VM_API void vmi_forced_fourier(vm_forced *f)
     }
     for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
         f->c[j] = 2 * sum[j] / total;
+        if (f->alpha == 1 && j > 0) f->c[j] = 0; /* ca is a cosine */
         f->s[j] = (f->alpha + 1) * (vm_real)(2 * j + 1) * VM_PI / (2 * f->pi) * f->c[j];
     }
 }
@@ -260,7 +261,7 @@ typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_para
 
 /* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A)
    = exact, where `exact` is the amplitude at this instant. Returns VM_NOT_FINITE where the exact amplitude overflows,
-   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive. */
+   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or three iterations are not enough. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
 {
@@ -271,7 +272,7 @@ VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, 
     *phi *= VM_PI / f->pi;
     mean = exact;
     for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, *phi, motion[2]);
-    if (!(mean > 0) || !VM_IS_FINITE(mean)) return VM_DOMAIN;
+    if (!(mean > 0) || !vmi_slow_is_solved(mean + ripple(object, n, mean, *phi, motion[2]), exact)) return VM_DOMAIN;
     *A = mean;
     return VM_OK;
 }
@@ -292,7 +293,8 @@ VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, v
 /* Converts a motion (x, x', theta) of an excited oscillator to its mean y = (A, delta, theta). A is the amplitude minus
    its ripple within a period. If the ripple stayed in A, averaged motions would have errors of order 1 where alpha is
    not 1. The statuses are those of vm_forced_rhs; VM_NOT_FINITE also means that a number of the motion is infinite or
-   NaN, and VM_DOMAIN that the amplitude minus its ripple is not positive. y and motion may be the same array. */
+   NaN, and VM_DOMAIN that the amplitude minus its ripple is not positive, or that the ripple is about as large as the
+   amplitude, as near x = x' = 0. y and motion may be the same array. */
 VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!f || !motion || !y) return VM_BAD_ARGUMENT;

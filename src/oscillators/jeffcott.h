@@ -471,15 +471,36 @@ typedef struct VM_TAG(vmi_jeffcott_bracket) {
     vm_real a, b, at_a, at_b;
 } vmi_jeffcott_bracket;
 
+/* Returns the derivative of ln Q with respect to x = ln(A/first_A), where Q is the invariant A^4 (g^2 + m K_e(A)) and m
+   the mass at which the slowly changing radius is A. It is 4 + (1 - g^2/S^2) d(ln K_e)/dx, where S^2 = g^2 + m K_e
+   follows from Q = Q0. The radius follows the mass only as long as this derivative is not 0. Where it is 0, the whirl
+   ends: no radius near A belongs to the next mass. Returns 4 where the slope of K_e overflows, and NaN where it is NaN.
+   */
+VM_API vm_real vmi_jeffcott_rise(vm_real x, void *orbit)
+{
+    const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
+    const vm_real A = o->first_A * vmi_exp(x, 0);
+    vm_real slope, share = 1, growth;
+    const vm_real stiffness = vmi_jeffcott_stiffness(o->r, A, &slope);
+    if (o->gyro != 0) share -= o->gyro * o->gyro / o->first * vmi_exp(4 * x, 0);
+    growth = share * (slope * A / stiffness);
+    if (growth == growth && !VM_IS_FINITE(growth)) return 4;
+    return 4 + growth;
+}
+
 /* Searches for a change of sign of vmi_jeffcott_invariant. The search starts at x = 0, where the value of this function
-   is b->at_a, and each step is twice as long as the step before it. A step to an x where the function is NaN is halved,
-   and from then on the steps do not grow. Returns 1 where a change of sign is found, and 0 where halved steps still
-   lead to NaN. */
+   is b->at_a, and goes in the direction in which the radius changes with the mass. Each step is twice as long as the
+   step before it, up to a change of the radius by 28 %. A step to an x where the function is NaN is halved, and from
+   then on the steps do not grow. A step across a zero of vmi_jeffcott_rise is shortened to this zero, where the search
+   ends. Returns 1 where a change of sign is found, else 0, also where vmi_jeffcott_rise is NaN. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
+    const vm_real longest = VM_C(0.25);
     vm_real step = VM_C(0.0625); /* changes the radius by 6 % */
-    int bounded = 0;
-    if (b->at_a > 0) step = -step;
+    vm_real rise_a = vmi_jeffcott_rise(0, o), rise_b;
+    int bounded = 0, ends = 0;
+    if (rise_a == 0 || rise_a != rise_a) return 0;
+    if ((b->at_a > 0) == (rise_a > 0)) step = -step;
     b->a = 0;
     for (;;) {
         b->b = b->a + step;
@@ -491,10 +512,21 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
             b->b = b->a + step;
             b->at_b = vmi_jeffcott_invariant(b->b, o);
         }
+        rise_b = vmi_jeffcott_rise(b->b, o);
+        if (rise_b != rise_b) return 0;
+        if ((rise_b > 0) != (rise_a > 0)) {
+            b->b = vmi_find_zero(vmi_jeffcott_rise, o, b->a, b->b, rise_a, rise_b);
+            if (b->b != b->b) return 0;
+            b->at_b = vmi_jeffcott_invariant(b->b, o);
+            ends = 1;
+        }
+        if (b->at_b != b->at_b) return 0;
         if (b->at_b == 0 || (b->at_b > 0) != (b->at_a > 0)) return 1;
+        if (ends) return 0;
         b->a = b->b;
         b->at_a = b->at_b;
-        if (!bounded) step *= 2;
+        rise_a = rise_b;
+        if (!bounded && VM_FABS(step) < longest) step *= 2;
     }
 }
 
@@ -505,9 +537,10 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
    its relative error is then at most 3e-15 (float 3e-6) if the masses have a ratio between 1e-30 and 1e30 (float 1e-9
    and 1e9). Returns NaN for g != 0 with r != 1 (then use
-   vm_jeffcott_whirl_amplitude, which finds the radius by integration); where no radius is found on the way from
-   first_A; for a null pointer; for a rotor without stiffness; and for a radius or masses that are not positive and
-   finite. */
+   vm_jeffcott_whirl_amplitude, which finds the radius by integration); where the whirl ends before the mass is reached,
+   because A^4 (g^2 + m K_e(A)) has an extremum in A there; for a null pointer; for a rotor without stiffness; and for a
+   radius or masses that are not positive and finite. Two extrema whose radii differ by less than 28 % may be
+   overlooked. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;

@@ -108,7 +108,7 @@ VM_API int vmi_pair_split(const vm_pair *p, vm_real mass, vm_real rate, const vm
     if (!VM_IS_FINITE(exact)) return VM_NOT_FINITE;
     A = exact;
     for (i = 0; i < 3 && exact > 0; i++) A = exact / vmi_pair_ripple(p, mass, rate, A, psi);
-    if (exact > 0 && !(VM_FABS(A * vmi_pair_ripple(p, mass, rate, A, psi) - exact) <= exact / 8)) return VM_DOMAIN;
+    if (exact > 0 && !vmi_slow_is_solved(A * vmi_pair_ripple(p, mass, rate, A, psi), exact)) return VM_DOMAIN;
     if (!(A >= 0)) return VM_DOMAIN;
     found[VMI_PAIR_A] = A;
     found[VMI_PAIR_PSI] = psi;

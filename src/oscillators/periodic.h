@@ -166,23 +166,41 @@ VM_API int vmi_periodic_partner(const vm_periodic *p, int j)
     return n;
 }
 
-VM_API vmi_periodic_sums vmi_periodic_sums_at(const vm_periodic *p, vm_real delta)
+/* The terms of the sums at one phase delta: harmonic j = 2i + 1 adds order j G_j across to S and G_j along to C. All
+   three numbers of a harmonic are 0 if it is in resonance with no harmonic of the force. */
+typedef struct VM_TAG(vmi_periodic_terms) {
+    vm_real G[VMI_FORCED_HARMONICS];      /* G_j at the top of this file */
+    vm_real along[VMI_FORCED_HARMONICS];  /* a_n cos(j delta) - b_n sin(j delta) */
+    vm_real across[VMI_FORCED_HARMONICS]; /* a_n sin(j delta) + b_n cos(j delta) */
+} vmi_periodic_terms;
+
+VM_API void vmi_periodic_terms_at(const vm_periodic *p, vm_real delta, vmi_periodic_terms *terms)
 {
     const vm_forced *f = &p->oscillator;
     vm_complex turns[2 * VMI_FORCED_HARMONICS];
-    vmi_periodic_sums sums = {0, 0, 0};
     int i;
     vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, delta, turns);
     for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
         const int j = 2 * i + 1, n = vmi_periodic_partner(p, j);
-        const vm_real order = (vm_real)j, G = f->Om1 * f->Om1 / 2 * f->c[i];
-        vm_real along, across;
+        terms->G[i] = terms->along[i] = terms->across[i] = 0;
         if (n == 0) continue;
-        along = p->cosine[n] * turns[j].re - p->sine[n] * turns[j].im;
-        across = p->cosine[n] * turns[j].im + p->sine[n] * turns[j].re;
-        sums.S += order * G * across;
-        sums.C += G * along;
-        sums.slope += order * order * G * along;
+        terms->G[i] = f->Om1 * f->Om1 / 2 * f->c[i];
+        terms->along[i] = p->cosine[n] * turns[j].re - p->sine[n] * turns[j].im;
+        terms->across[i] = p->cosine[n] * turns[j].im + p->sine[n] * turns[j].re;
+    }
+}
+
+VM_API vmi_periodic_sums vmi_periodic_sums_at(const vm_periodic *p, vm_real delta)
+{
+    vmi_periodic_terms terms;
+    vmi_periodic_sums sums = {0, 0, 0};
+    int i;
+    vmi_periodic_terms_at(p, delta, &terms);
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
+        const vm_real order = (vm_real)(2 * i + 1), G = terms.G[i];
+        sums.S += order * G * terms.across[i];
+        sums.C += G * terms.along[i];
+        sums.slope += order * order * G * terms.along[i];
     }
     return sums;
 }
@@ -223,15 +241,17 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
    at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb phase. The force adds F/(m
    Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
-   where u = j phi + n theta, v = j phi - n theta, w is the frequency of the free vibration, and s_j is the Fourier
-   coefficient of sin(j phi) in sa. For a j and an n that are in resonance the second quotient is left out, since v does
-   not vary at the resonance. */
+   where u = j phi + n theta, v = j phi - n theta, w = (P/Q) nu, and s_j is the Fourier coefficient of sin(j phi) in sa.
+   For a j and an n that are in resonance the second quotient is left out, since v does not vary at the resonance. For
+   all others |j w - n nu| is at least nu/Q. With the frequency of the free vibration of amplitude A in place of w,
+   j w - n nu could be nearly 0 at some amplitudes. */
 VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
                                    vm_real theta)
 {
     const vm_periodic *p = (const vm_periodic *)periodic;
     const vm_forced *f = &p->oscillator;
-    const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha), w = VM_PI / f->pi * Om;
+    const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
+    const vm_real step = n->nu / (vm_real)p->periods; /* nu/Q: j w and n nu are whole multiples of it */
     vm_complex vibration[2 * VMI_FORCED_HARMONICS], force[VM_PERIODIC_HARMONICS + 1];
     vm_real sa, ca, sum = 0;
     int i, k;
@@ -240,13 +260,13 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
     vmi_c_turns(VM_PERIODIC_HARMONICS, theta, force);
     for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
         const int j = 2 * i + 1;
-        const vm_real rate = (vm_real)j * w;
         for (k = 0; k <= VM_PERIODIC_HARMONICS; k++) {
+            const int rate = j * p->vibrations, turn = k * p->periods; /* j w and n nu, divided by nu/Q */
             const vm_complex u = vmi_c_times(vibration[j], force[k]);
             const vm_complex v = vmi_c_times(vibration[j], vmi_c_conjugate(force[k]));
-            const vm_real a = p->cosine[k], b = p->sine[k], turn = (vm_real)k * n->nu;
-            sum += f->s[i] / 2 * (a * u.re + b * u.im) / (rate + turn);
-            if (k == 0 || k != vmi_periodic_partner(p, j)) sum += f->s[i] / 2 * (a * v.re - b * v.im) / (rate - turn);
+            const vm_real a = p->cosine[k], b = k > 0 ? p->sine[k] : 0;
+            sum += f->s[i] / 2 * (a * u.re + b * u.im) / ((vm_real)(rate + turn) * step);
+            if (rate != turn) sum += f->s[i] / 2 * (a * v.re - b * v.im) / ((vm_real)(rate - turn) * step);
         }
     }
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om) * sum;
@@ -255,7 +275,8 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
 /* Converts a motion (x, x', theta) under a periodic force, near the resonance, to its mean y = (A, delta, theta) (see
    vm_periodic_averaged_rhs). A is the amplitude without its ripple within a period. Returns the statuses of
    vm_periodic_rhs. In addition it returns VM_NOT_FINITE where a number of the motion is infinite or NaN, and VM_DOMAIN
-   where the amplitude minus its ripple is not positive. y and motion may be the same array. */
+   where the amplitude minus its ripple is not positive, or where the ripple is about as large as the amplitude, as near
+   x = x' = 0. y and motion may be the same array. */
 VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -287,15 +308,19 @@ VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_r
                            y[2], motion);
 }
 
-/* What the search for steady vibrations needs. S and C are the sums at the top of this file. */
+/* What the search for steady vibrations needs. S and C are the sums at the top of this file. The search counts phases
+   from an origin. Its results are accurate near a phase where S = 0 if this phase is the origin: the amplitude follows
+   from S, which would otherwise have the rounding error of the phase. */
 typedef struct VM_TAG(vmi_periodic_search) {
     const vm_periodic *p;
     vmi_resonance z; /* its field push is F/m here, without the factor G; its field nu is (P/Q) nu, where nu is the
                         frequency of the force */
-    vm_real side;    /* 1: phases delta are counted from 0; -1: they are counted from pi, where S and C have the
-                        opposite sign */
+    vm_real origin;           /* the phase delta from which phases are counted, rad */
+    vm_real S_at_origin;      /* S at the origin; exactly 0 if the origin is a zero of S */
+    vmi_periodic_terms terms; /* the terms of the sums at the origin */
 } vmi_periodic_search;
 
+/* Prepares the search, with phases counted from delta = 0. */
 VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vmi_forced_parameters *n)
 {
     vmi_periodic_search search;
@@ -303,19 +328,44 @@ VM_API vmi_periodic_search vmi_periodic_search_of(const vm_periodic *p, const vm
     search.z = vmi_resonance_of(&p->oscillator, n);
     search.z.push = n->force / n->mass;
     search.z.nu = vmi_periodic_frequency(p, n->nu);
-    search.side = 1;
+    search.origin = 0;
+    search.S_at_origin = vmi_periodic_sums_at(p, 0).S;
+    vmi_periodic_terms_at(p, 0, &search.terms);
     return search;
 }
 
-/* The sums S and C at a phase that is counted from 0 or from pi, as the field `side` of the search says. Counting from
-   pi keeps digits near pi, where S is nearly 0 and the rounding error of pi would matter. All harmonics of the
-   vibration are odd; therefore S and C only change their signs if pi is added to the phase. */
+/* Counts phases from `zero`, a zero of S from 0 to pi, or from zero - pi if side is -1. All harmonics of the vibration
+   are odd; therefore S and C only change their signs if pi is subtracted from the phase. */
+VM_API void vmi_periodic_count_from(vmi_periodic_search *s, vm_real zero, int side)
+{
+    int i;
+    vmi_periodic_terms_at(s->p, zero, &s->terms);
+    s->origin = zero;
+    s->S_at_origin = 0;
+    if (side > 0) return;
+    s->origin -= VM_PI;
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) s->terms.G[i] = -s->terms.G[i];
+}
+
+/* The sums at a phase that is counted from the origin of the search */
 VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm_real phase)
 {
-    vmi_periodic_sums sums = vmi_periodic_sums_at(s->p, phase);
-    sums.S *= s->side;
-    sums.C *= s->side;
-    sums.slope *= s->side;
+    vm_complex turns[2 * VMI_FORCED_HARMONICS];
+    vmi_periodic_sums sums = {0, 0, 0};
+    int i;
+    vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, phase, turns);
+    sums.S = s->S_at_origin;
+    for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
+        const vm_real order = (vm_real)(2 * i + 1), G = s->terms.G[i];
+        const vm_real along = s->terms.along[i], across = s->terms.across[i];
+        const vm_complex turn = turns[2 * i + 1];
+        const vm_real now_along = along * turn.re - across * turn.im;
+        vm_real versine = 1 - turn.re; /* 1 - cos(j phase) */
+        if (turn.re > 0) versine = turn.im * turn.im / (1 + turn.re); /* the same without loss of digits */
+        sums.S += order * G * (along * turn.im - across * versine);
+        sums.C += G * now_along;
+        sums.slope += order * order * G * now_along;
+    }
     return sums;
 }
 
@@ -329,26 +379,46 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
     return vmi_pow_checked(product / z->w1, 1 / (1 + z->exponent));
 }
 
-/* The excess, which is delta' of the averaged equations times the absolute value of the sum S. The excess is computed
-   at a phase that is counted from 0 or pi, with the amplitude A for which A' = 0. The zeros of the excess with A > 0
-   are the steady vibrations. The excess is continuous: where no amplitude has A' = 0, it is the limit for A -> 0. For
-   alpha = 0 the limit includes w |S|, which then does not tend to 0. */
-VM_API vm_real vmi_periodic_excess(vm_real phase, void *search)
+/* The excess, which is delta' of the averaged equations times the absolute value of the sum S, at a phase that is
+   counted from the origin of the search, with the amplitude A for which A' = 0. The zeros of the excess with A > 0 are
+   the steady vibrations. */
+typedef struct VM_TAG(vmi_periodic_excess) {
+    vm_real sum;   /* the excess, which is (w - (P/Q) nu) |S| + limit, or limit where no amplitude has A' = 0 */
+    vm_real limit; /* what the excess tends to for A -> 0. For alpha = 0 it includes w |S|, which is then constant. */
+    vm_real reach; /* |sum - limit| is at most this number, and this number falls with A */
+} vmi_periodic_excess;
+
+VM_API vmi_periodic_excess vmi_periodic_excess_at(const vmi_periodic_search *s, vm_real phase)
 {
-    const vmi_periodic_search *s = (const vmi_periodic_search *)search;
     const vmi_resonance *z = &s->z;
     const vmi_periodic_sums sums = vmi_periodic_sums_from(s, phase);
     const vm_real A = vmi_periodic_amplitude(z, sums.S);
-    const vm_real limit = -VM_COPYSIGN(z->p, z->push) * sums.C; /* p C sign(S), where sign(S) is -sign(push p) */
+    vmi_periodic_excess e;
     vm_real w;
-    if (A == 0 && z->exponent <= VM_C(-0.5)) return limit + z->w1 * z->w1 * VM_FABS(z->p / z->push); /* alpha = 0 */
-    if (A == 0) return limit;
-    w = z->w1 * vmi_pow_checked(A, z->exponent);
-    return (w - z->nu) * VM_FABS(sums.S) + limit;
+    e.limit = -VM_COPYSIGN(z->p, z->push) * sums.C; /* p C sign(S), where sign(S) is -sign(push p) */
+    e.reach = z->nu * VM_FABS(sums.S);
+    if (z->exponent <= VM_C(-0.5)) { /* alpha = 0 */
+        e.limit += z->w1 * z->w1 * VM_FABS(z->p / z->push);
+        e.sum = e.limit - e.reach;
+    } else {
+        w = z->w1 * vmi_pow_checked(A, z->exponent);
+        e.sum = e.limit + (w - z->nu) * VM_FABS(sums.S);
+        e.reach += w * VM_FABS(sums.S);
+    }
+    if (A > 0) return e;
+    e.sum = e.limit;
+    e.reach = 0;
+    return e;
 }
 
-/* Returns the steady vibration of a phase that is counted from 0 or pi, with trace and determinant of the linearized
-   averaged equations. The frequency nu of the force follows from the phase. The field A is 0 where there is no such
+/* The field `sum` of the excess, for vmi_find_zero */
+VM_API vm_real vmi_periodic_excess_sum(vm_real phase, void *search)
+{
+    return vmi_periodic_excess_at((const vmi_periodic_search *)search, phase).sum;
+}
+
+/* Returns the steady vibration of a phase that is counted from the origin of the search, with trace and determinant of
+   the linearized averaged equations. The frequency nu of the force follows from the phase. The field A is 0 where there is no such
    vibration. */
 VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real phase)
 {
@@ -361,8 +431,7 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
     w = z->w1 * vmi_pow_checked(s.A, z->exponent);
     off = -p * sums.C / sums.S; /* w - (P/Q) nu */
     s.nu = (w - off) * (vm_real)search->p->periods / (vm_real)search->p->vibrations;
-    s.delta = phase;
-    if (search->side < 0) s.delta -= VM_COPYSIGN(VM_PI, phase); /* from -pi to pi */
+    s.delta = search->origin + phase;
     s.trace = -(1 + gain) * p;
     s.det = p * p * gain - p * sums.slope / sums.S * (z->exponent * w + gain * off);
     s.stable = s.det > 0 && s.trace < 0;
@@ -395,59 +464,120 @@ VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_
     return VM_OK;
 }
 
-/* Inserts *state into the list `steady` of n states, which has `room` places and is sorted by amplitude. If the list is
-   full, the state with the largest amplitude is dropped. */
-VM_API void vmi_periodic_insert(const vm_steady_state *state, int n, int room, vm_steady_state *steady)
+/* The steady vibrations that a search has found */
+typedef struct VM_TAG(vmi_periodic_list) {
+    int found, room;         /* how many have been found; how many places `steady` has */
+    vm_steady_state *steady; /* those with the smallest amplitudes, sorted by amplitude */
+    vm_real nu;              /* frequency of the force, rad/s */
+} vmi_periodic_list;
+
+/* Inserts a steady vibration into the list. If the list is full, the vibration with the largest amplitude is dropped.
+ */
+VM_API void vmi_periodic_insert(vmi_periodic_list *list, vm_steady_state state)
 {
-    int i = n;
-    if (i > room) i = room;
-    for (; i > 0 && steady[i - 1].A > state->A; i--)
-        if (i < room) steady[i] = steady[i - 1];
-    if (i < room) steady[i] = *state;
+    int i = list->found;
+    if (!(state.A > 0)) return;
+    if (i > list->room) i = list->room;
+    state.nu = list->nu;
+    if (state.delta > VM_PI) state.delta -= 2 * VM_PI;
+    if (state.delta < -VM_PI) state.delta += 2 * VM_PI;
+    for (; i > 0 && list->steady[i - 1].A > state.A; i--)
+        if (i < list->room) list->steady[i] = list->steady[i - 1];
+    if (i < list->room) list->steady[i] = state;
+    list->found++;
+}
+
+/* Inserts the steady vibrations between the phase `far`, where the excess is at_far, and the origin of the search,
+   which is a zero of S. The steps are of one degree, near the origin of three tenths of the phase, because the
+   amplitudes there depend on the ratio of the phases. The walk ends where the excess cannot change its sign any more. */
+VM_API void vmi_periodic_walk(vmi_periodic_search *search, vm_real far, vm_real at_far, vmi_periodic_list *list)
+{
+    const vm_real degree = VM_COPYSIGN(VM_PI / 180, far), ratio = VM_C(0.7);
+    vm_real phase = far, before = at_far;
+    vmi_periodic_excess e;
+    do {
+        const vm_real last = phase;
+        phase *= ratio;
+        if (VM_FABS(last - phase) > VM_FABS(degree)) phase = last - degree;
+        e = vmi_periodic_excess_at(search, phase);
+        if ((before > 0) != (e.sum > 0))
+            vmi_periodic_insert(list, vmi_periodic_state(search, vmi_find_zero(vmi_periodic_excess_sum, search, phase,
+                                                                               last, e.sum, before)));
+        before = e.sum;
+    } while (e.reach > VM_FABS(e.limit) / 2);
+}
+
+/* The sum S at the phase delta, for vmi_find_zero */
+VM_API vm_real vmi_periodic_S(vm_real delta, void *search)
+{
+    return vmi_periodic_sums_at(((const vmi_periodic_search *)search)->p, delta).S;
+}
+
+/* Writes the zeros of S from 0 to pi to `zeros`, in ascending order, and returns how many there are. If S is positive
+   just after zero i, rises[i] is 1, else 0. S(delta + pi) = -S(delta), so that S has at least one zero. It has at most
+   nine, the largest j in S. The function looks for changes of sign in steps of one degree. */
+VM_API int vmi_periodic_zeros(vmi_periodic_search *search, vm_real *zeros, int *rises)
+{
+    const vm_real first = vmi_periodic_S(0, search);
+    vm_real before = first;
+    int degree, n = 0;
+    for (degree = 1; degree <= 180; degree++) {
+        const vm_real left = VM_PI * (vm_real)(degree - 1) / 180, right = VM_PI * (vm_real)degree / 180;
+        vm_real after = -first;
+        int rise = !(first > 0);
+        if (degree < 180) {
+            after = vmi_periodic_S(right, search);
+            rise = after > 0;
+        }
+        if (rise != (before > 0) && n < VM_PERIODIC_HARMONICS) {
+            zeros[n] = vmi_find_zero(vmi_periodic_S, search, left, right, before, after);
+            rises[n] = rise;
+            n++;
+        }
+        before = after;
+    }
+    return n;
 }
 
 /* Steady vibrations under a periodic force, near the resonance, with their amplitudes, phases and stability. All
    parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
-   returns how many there are (this number may be larger than room), or a negative status. The function computes at 360
-   phases, one degree apart, a function of the phase that is 0 for a steady vibration, and looks for its changes of
-   sign. It may therefore miss two vibrations whose phases differ by less than a degree. Such vibrations lie next to a
-   fold of the resonance curve, or, if the damping is small, close to a phase with S = 0, where their amplitudes may
-   differ much. For a harmonic force use vm_forced_steady_states. The function takes about as long as the computation of
-   4000 sines. The negative statuses are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for
-   room < 0, and VM_DOMAIN for q = 0, which the comment of vm_periodic_curve explains. */
+   returns how many there are (this number may be larger than room), or a negative status. The function computes a
+   function of the phase that is 0 for a steady vibration, at phases one degree apart and closer where the amplitudes
+   are small, and looks for its changes of sign. It may therefore miss two vibrations whose phases differ by less than a
+   degree. Such vibrations lie next to a fold of the resonance curve. For a harmonic force use vm_forced_steady_states.
+   The function takes about as long as the computation of 8000 sines. The negative statuses are those of
+   vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0, which the
+   comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
     vmi_forced_parameters n;
     vmi_periodic_search search;
-    vm_real before, after;
-    int degree, found = 0;
+    vmi_periodic_list list;
+    vm_real zeros[VM_PERIODIC_HARMONICS];
+    int rises[VM_PERIODIC_HARMONICS], count, i;
     const int status = vmi_periodic_at(p, t, &n);
     if (status) return status;
     search = vmi_periodic_search_of(p, &n);
     if (search.z.p == 0) return VM_DOMAIN;
     if (search.z.push == 0) return 0;
-    search.side = -1;
-    after = vmi_periodic_excess(0, &search);
-    for (degree = -180; degree < 180; degree++) { /* phases in degrees: the left end of each interval of one degree */
-        int origin = 0;
-        vm_steady_state state;
-        vm_real left, right;
-        if (degree < -90) origin = -180;
-        if (degree >= 90) origin = 180;
-        search.side = origin ? -1 : 1;
-        left = VM_PI * (vm_real)(degree - origin) / 180;
-        right = VM_PI * (vm_real)(degree + 1 - origin) / 180;
-        before = after;
-        after = vmi_periodic_excess(right, &search);
-        if (!((before > 0) != (after > 0))) continue;
-        state = vmi_periodic_state(&search, vmi_find_zero(vmi_periodic_excess, &search, left, right, before, after));
-        if (!(state.A > 0)) continue;
-        state.nu = n.nu;
-        vmi_periodic_insert(&state, found, room, steady);
-        found++;
+    list.found = 0;
+    list.room = room;
+    list.steady = steady;
+    list.nu = n.nu;
+    count = vmi_periodic_zeros(&search, zeros, rises);
+    for (i = 0; i < count; i++) { /* from one zero of S to the next, on the side where S has the sign of -p push */
+        const int is_last = i == count - 1, side = rises[i] == (search.z.push / search.z.p < 0) ? 1 : -1;
+        const vm_real left = zeros[i], right = is_last ? zeros[0] : zeros[i + 1];
+        const vm_real half = (is_last ? right + VM_PI - left : right - left) / 2;
+        vm_real middle;
+        vmi_periodic_count_from(&search, left, side);
+        middle = vmi_periodic_excess_sum(half, &search);
+        vmi_periodic_walk(&search, half, middle, &list);
+        vmi_periodic_count_from(&search, right, is_last ? -side : side);
+        vmi_periodic_walk(&search, -half, middle, &list);
     }
-    return found;
+    return list.found;
 }
 
 #endif
