@@ -554,6 +554,20 @@ static void test_modulus_and_angle_of_large(void)
     check_error("angle", "of large", "eps", ERROR_EPS(vmi_atan2(R(1.5) * x, x), 0.98279372324732905, 0, 1), 2, 1.5, 1);
     check_error("angle", "of large", "eps", ERROR_EPS(vmi_atan2(x, R(1.5) * x), 0.58800260354756755, 0, 1), 2, 1, 1.5);
     check_error("angle", "of large", "eps", ERROR_EPS(vmi_atan2(VM_MAX, VM_MAX), 0.78539816339744831, 0, 1), 2, 1, 1);
+    CHECK(vmi_atan2(0, 0) == 0 && vmi_atan2(0, 1) == 0 && vmi_atan2(0, -1) == VM_PI);
+}
+
+/* The angles of 20000 points, against the C library's arctangent with the digits of a long double */
+static void test_angles(void)
+{
+    int i;
+    for (i = 0; i < 20000; i++) {
+        const vm_real x = R(uniform(0, 1)), y = R(uniform(0, 1));
+        const long double angle = atan2l(y, x);
+        const double high = (double)angle, low = (double)(angle - (long double)high);
+        if (y > x) check_error("angle", "above pi/4", "ulp", ERROR_ULP(vmi_arctan(y, x), high, low), 1.9, (double)x, (double)y);
+        else check_error("angle", "below pi/4", "ulp", ERROR_ULP(vmi_arctan(y, x), high, low), 2.6, (double)x, (double)y);
+    }
 }
 
 /* ---- Stability (82) ---- */
@@ -702,6 +716,7 @@ int main(void)
     test_polynomial_solver();
     test_order_of_roots();
     test_modulus_and_angle_of_large();
+    test_angles();
     test_stability();
     test_stability_domain();
     test_decay();

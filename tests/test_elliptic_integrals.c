@@ -351,6 +351,17 @@ static void test_poles(void)
     CHECK(jacobi_Pi_incomplete(2, R(0.5), 1) == VM_INFINITY && jacobi_Pi_incomplete(-2, 3, 1) == VM_INFINITY);
 }
 
+/* The square of a number in two words, as one word */
+static void test_squared(void)
+{
+    int i;
+    for (i = 0; i < 4000; i++) {
+        const vm_real a = R(uniform(0.5, 1));
+        const vm_two s = vmi_two(a, a * VM_EPSILON / 4 * R(uniform(-1, 1))), wanted = vmi_two_times(s, s);
+        check_error("s^2", "", "ulp", ERROR_ULP(vmi_squared(s), (double)wanted.hi, (double)wanted.lo), 1.01, (double)a, 0);
+    }
+}
+
 /* The product of numbers in two words that Pi and D are, rounded to one word */
 static void test_times_sum(void)
 {
@@ -389,6 +400,7 @@ static void test_limits(void)
     CHECK(jacobi_E_incomplete(0, -inf) == 0 && jacobi_E_incomplete_m1(-inf, 2) == -inf);
     CHECK(jacobi_D_incomplete(inf, half) == inf && jacobi_D_incomplete(-1, -inf) == 0 && jacobi_D(-inf) == 0);
     CHECK(is_nan(jacobi_D_incomplete(inf, -inf)) && jacobi_D(1) == inf && jacobi_D_m1(0) == inf);
+    CHECK(jacobi_D_incomplete(0, -inf) == 0 && jacobi_Pi_incomplete(0, half, -inf) == 0 && jacobi_F(0, -inf) == 0);
     CHECK(jacobi_D_incomplete(-R(1.6), 1) == -inf && jacobi_D_m1(inf) == 0);
     CHECK(jacobi_Pi(-inf, half) == 0 && jacobi_Pi(half, -inf) == 0 && jacobi_Pi(1, half) == inf);
     CHECK(jacobi_Pi(half, 1) == inf && jacobi_Pi(2, 1) == -inf && jacobi_Pi_m1(2, 0) == -inf);
@@ -644,6 +656,7 @@ int main(void)
     test_zeros_and_seams();
     test_complete_from_m1();
     test_poles();
+    test_squared();
     test_times_sum();
     test_inverses_at_the_end();
     test_limits();

@@ -107,6 +107,11 @@ static void test_ends_of_domains(void)
     CHECK(vm_wright_omega(-VM_MAX) == 0 && vm_lambert_w0_neg_exp(-VM_MAX) == 0);
     CHECK(vm_wright_omega(VM_MAX) == VM_MAX && vm_lambert_wm1_neg_exp(-VM_MAX) == -VM_MAX);
     CHECK(fabs((double)vm_wright_omega(0) - 0.56714329040978387) < eps); /* the omega constant */
+    { /* an exponential that overflows has no low word */
+        const vm_real largest = R(0.6931471805599453094) * (VMI_BIAS + 1);
+        const vm_two power = vmi_expm1(vmi_two(largest, largest * VM_EPSILON / 2));
+        CHECK(power.hi == VM_INFINITY && power.lo == 0);
+    }
 }
 
 /* w e^w = x at random arguments. An error of one eps in w makes one of (1 + w) eps in w e^w. */
