@@ -385,7 +385,7 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 typedef struct VM_TAG(vmi_periodic_excess) {
     vm_real sum;   /* the excess, which is (w - (P/Q) nu) |S| + limit, or limit where no amplitude has A' = 0 */
     vm_real limit; /* what the excess tends to for A -> 0. For alpha = 0 it includes w |S|, which is then constant. */
-    vm_real reach; /* |sum - limit| is at most this number, and this number falls with A */
+    vm_real reach; /* a bound of |sum - limit|, which becomes smaller as A does */
 } vmi_periodic_excess;
 
 VM_API vmi_periodic_excess vmi_periodic_excess_at(const vmi_periodic_search *s, vm_real phase)
