@@ -199,7 +199,8 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
 
 /* Lets rk45_init keep the fields `quiet` and `slack` of the events, by which the integrator ignores the sign of an
    event function right after its event. If the last run ended at the time t by one of several events that happen
-   together, the new run could otherwise find the others again. */
+   together, the new run could otherwise find the others again. After a landing `quiet` is infinite (contact.h); it then
+   stays so in the new run, which could otherwise find a body that rests on the ground landing again. */
 VM_API int vmi_scene_init_integrator(vm_scene *s, rk45 *r, int n, vm_real t, const vm_real *y, vm_real *work,
                                      const rk45_options *o)
 {
@@ -207,7 +208,8 @@ VM_API int vmi_scene_init_integrator(vm_scene *s, rk45 *r, int n, vm_real t, con
     for (i = 0; i < s->n_events; i++) {
         ode_event *e = s->located + i;
         e->past.slack = e->slack;
-        e->past.quiet = e->t == t ? e->quiet : 0;
+        e->past.quiet = e->quiet;
+        if (e->t != t && e->quiet < VM_MAX) e->past.quiet = 0;
     }
     status = rk45_init(r, vm_scene_rhs, s, n, t, y, o, work);
     for (i = 0; i < s->n_events && status >= 0; i++) {
