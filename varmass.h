@@ -21188,7 +21188,7 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
 typedef struct VM_TAG(vmi_periodic_excess) {
     vm_real sum;   /* the excess, which is (w - (P/Q) nu) |S| + limit, or limit where no amplitude has A' = 0 */
     vm_real limit; /* what the excess tends to for A -> 0. For alpha = 0 it includes w |S|, which is then constant. */
-    vm_real reach; /* |sum - limit| is at most this number, and this number falls with A */
+    vm_real reach; /* a bound of |sum - limit|, which becomes smaller as A does */
 } vmi_periodic_excess;
 
 VM_API vmi_periodic_excess vmi_periodic_excess_at(const vmi_periodic_search *s, vm_real phase)
@@ -26314,6 +26314,33 @@ VM_API vm_event vm_event_contact(int body, const vm_contact *contact)
     return e;
 }
 
+/* A bound of the rounding errors of the height that vmi_contact_height computes */
+VM_API vm_real vmi_contact_rounding(const vm_contact *contact, const vmi_body_point *p, vm_vec3 normal)
+{
+    const vm_vec3 positions = vm_add(vmi_abs(p->r), vmi_abs(contact->on));
+    const vm_real along_normal = vm_dot(positions, vmi_abs(normal));
+    return 8 * VM_EPSILON * (along_normal + vmi_norm_max(p->arm) + contact->radius);
+}
+
+/* After a landing, lets no event of this contact happen until the height has left its rounding errors. The landing
+   leaves the point with almost no velocity along the normal. For some time the height is then smaller than its own
+   rounding errors, which can bring it from above 0 to below 0 although the point does not come down. The integrator
+   ignores the sign of an event function that is not larger than `slack`, but only for the time `quiet`, a small part
+   of a step, which may be too short here. Therefore `quiet` becomes infinite, and `slack` the argument `rounding` if it
+   was smaller. The sign counts again as soon as the height is larger than `slack`. */
+VM_API void vmi_contact_rests(const vm_event *e, vm_real rounding)
+{
+    const vm_scene *s = e->scene;
+    int i;
+    for (i = 0; i < s->n_events; i++) {
+        const vm_event *other = s->events + i;
+        ode_event *located = s->located + i;
+        if (other->when != vmi_when_contact || other->body != e->body || other->parts != e->parts) continue;
+        located->quiet = VM_MAX;
+        located->slack = vmi_larger(located->slack, rounding);
+    }
+}
+
 /* Takes away the velocity of the contact's point along the normal by an impulse, and adds this impulse to the budget.
    The impulse is -v/mobility, where v is this velocity, and `mobility` is the change of this velocity that an impulse
    of 1 N s along the normal causes. */
@@ -26331,6 +26358,7 @@ VM_API int vmi_then_land(vm_event *e, vm_real t, vm_real *y)
     if (status) return status;
     vmi_point_now(s, e->body, contact->at, y, &p);
     vmi_contact_height(contact, &p, &normal);
+    vmi_contact_rests(e, vmi_contact_rounding(contact, &p, normal));
     v = vm_dot(p.v, normal);
     mobility = vmi_point_mobility(s->bodies + e->body, &p, normal);
     if (v >= 0 || mobility == 0) return VM_OK;
@@ -26356,9 +26384,10 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 
 /* Lets the body of a vm_event_contact land without a bounce: at the event an impulse takes away the velocity of the
    contact's point along the normal. The other velocities of the body change only by this impulse. Afterwards
-   vm_effect_contact supports the body. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has not made the
-   event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. A run ends with
-   VM_IS_AWAY if the body is not present. */
+   vm_effect_contact supports the body. The events of this contact can happen again after the height of the body over
+   the ground has been larger than its rounding errors. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has
+   not made the event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. A
+   run ends with VM_IS_AWAY if the body is not present. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;
@@ -26558,7 +26587,8 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
 
 /* Lets rk45_init keep the fields `quiet` and `slack` of the events, by which the integrator ignores the sign of an
    event function right after its event. If the last run ended at the time t by one of several events that happen
-   together, the new run could otherwise find the others again. */
+   together, the new run could otherwise find the others again. After a landing `quiet` is infinite (contact.h); it then
+   stays so in the new run, which could otherwise find a body that rests on the ground landing again. */
 VM_API int vmi_scene_init_integrator(vm_scene *s, rk45 *r, int n, vm_real t, const vm_real *y, vm_real *work,
                                      const rk45_options *o)
 {
@@ -26566,7 +26596,8 @@ VM_API int vmi_scene_init_integrator(vm_scene *s, rk45 *r, int n, vm_real t, con
     for (i = 0; i < s->n_events; i++) {
         ode_event *e = s->located + i;
         e->past.slack = e->slack;
-        e->past.quiet = e->t == t ? e->quiet : 0;
+        e->past.quiet = e->quiet;
+        if (e->t != t && e->quiet < VM_MAX) e->past.quiet = 0;
     }
     status = rk45_init(r, vm_scene_rhs, s, n, t, y, o, work);
     for (i = 0; i < s->n_events && status >= 0; i++) {
