@@ -161,19 +161,21 @@ static int cosine_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 }
 
 /* The first step of y' = -y and of y' = y is within a factor of 2 of (0.01 tol)^(1/order) s, where tol is the tolerance.
-   From y = 0 nothing tells the time scale of the problem, and the first step is 1e-4 s. */
+   From y = 0 nothing tells the time scale of the problem, and the first step is 1e-4 s. What the array `work` contains
+   before makes no difference. */
 static void test_first_steps(void)
 {
     const double tolerance = is_float ? 1e-3 : 1e-6;
     vm_real work[RK87_WORK(1)], start = 1, zero = 0;
     rk45_options o = {0};
     rk45 s;
-    int m, sign;
+    int m, sign, i;
     o.rtol = o.atol = R(tolerance / 2);
     for (m = 0; m < METHODS; m++) {
         const double expected = pow(0.01 * tolerance, 1.0 / methods[m].order);
         for (sign = -1; sign <= 1; sign += 2) {
             vm_real rate = (vm_real)sign;
+            for (i = 0; i < RK87_WORK(1); i++) work[i] = VM_NAN;
             CHECK(methods[m].init(&s, decay_rhs, &rate, 1, 0, &start, &o, work) == ODE_OK);
             CHECK(methods[m].step(&s) == ODE_OK && s.rejected == 0);
             check_error("first step", methods[m].name, "log2", fabs(log((double)s.t / expected)) / log(2.0), 1, sign, 0);
@@ -193,6 +195,55 @@ static void test_rejected_steps(void)
     o.h0 = 1;
     CHECK(rk45_init(&s, decay_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK && rk45_solve(&s, 10) == ODE_MAX_STEPS);
     CHECK(s.rejected > 0 && s.steps + s.rejected == 7);
+}
+
+/* y[0] - 2, but NaN at the call whose number ctx points to; this number counts down. */
+static vm_real nan_once(vm_real t, const vm_real *y, void *ctx)
+{
+    int *left = (int *)ctx;
+    (void)t;
+    *left -= 1;
+    if (*left == 0) return VM_NAN;
+    return y[0] - 2;
+}
+
+/* A step in which an event function is NaN is undone and made again with a quarter of its length. It counts as one step
+   that was rejected. */
+static void test_step_of_nan(void)
+{
+    int m, missing;
+    for (m = 0; m < METHODS; m++)
+        for (missing = 3; missing < 12; missing++) {
+            vm_real work[RK87_WORK(1)], start = 1, rate = 1;
+            int left = missing;
+            ode_event event = event_of(nan_once, &left);
+            rk45_options o = options_with(&event);
+            rk45 s;
+            event.action = ODE_RECORD;
+            o.rtol = o.atol = R(is_float ? 1e-3 : 1e-6);
+            CHECK(methods[m].init(&s, decay_rhs, &rate, 1, 0, &start, &o, work) == ODE_OK);
+            CHECK(methods[m].solve(&s, 3) == ODE_OK && left <= 0 && s.rejected == 1);
+        }
+}
+
+/* The weights by which the test of stiffness compares two states at the same time: their sum is 0, because a constant
+   slope leads to the same state twice. */
+static void test_end_differences(void)
+{
+    rk45 s;
+    int m, j;
+    for (m = 0; m < METHODS; m++) {
+        vm_real work[RK87_WORK(1)], start = 1, rate = 1;
+        double sum = 0, size = 0;
+        rk45_options o = {0};
+        CHECK(methods[m].init(&s, decay_rhs, &rate, 1, 0, &start, &o, work) == ODE_OK);
+        for (j = 0; j < s.pair.stages - s.pair.last_is_first; j++) {
+            const double weight = (double)s.pair.end_difference(j);
+            sum += weight;
+            size += fabs(weight);
+        }
+        check_error("stiffness", "sum of the weights", "eps", fabs(sum) / size / eps, 2, m, size);
+    }
 }
 
 /* The rough power by which the step size follows the error */
@@ -970,6 +1021,8 @@ int main(void)
     test_low_word_of_time();
     test_first_steps();
     test_rejected_steps();
+    test_step_of_nan();
+    test_end_differences();
     test_power();
     test_clock();
     test_unresolvable_jumps();
