@@ -24,6 +24,8 @@
 #include "../base/real.h"
 #include "../base/scalars.h"
 #include "../base/status.h"
+#include "../base/sums.h"
+#include "../base/words.h"
 #include "broken_rotor.h"
 
 /* The coefficients (67) of the linearised equations (69), which are at the top of mechanics/broken_rotor_motion.h */
@@ -62,34 +64,56 @@ VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
+/* Returns the product x y in two words, and 0 if a factor is 0, even if the other factor has overflowed. If the product
+   is too large for the arithmetic in two words, only its first word is computed. */
+VM_API vm_two vmi_broken_rotor_product(vm_two x, vm_two y)
+{
+    vm_two p = vmi_two(0, 0);
+    if (x.hi == 0 || y.hi == 0) return p;
+    p = vmi_two_times(x, y);
+    if (!VM_IS_FINITE(p.hi) || !VM_IS_FINITE(p.lo)) p = vmi_two(x.hi * y.hi, 0);
+    return p;
+}
+
 /* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
    times vmi_broken_rotor_rate must be at most 1. The n-th terms of the series of y and of s psi are then at most 1/n!
    times the first terms, so that a fixed number of terms is enough. In the loop y0, y1, y2 are three successive terms
-   of the series of y, and psi0, psi1, psi2 are three successive terms of the series of psi. */
-VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
+   of the series of y, and psi0, psi1, psi2 are three successive terms of the series of psi. All sums have two words.
+   The rounding of the coefficients omega_h2, k_h and coupling_h2 acts like a rounding of the inputs. */
+VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_two *change)
 {
-    const int terms = VM_MANT_DIG > 24 ? 20 : 12;
-    const vm_real omega_h2 = (a->omega * h) * (a->omega * h), k_h = a->k * h, coupling_h2 = a->coupling * h * h;
-    vm_real y0 = z[VMI_BROKEN_ROTOR_Y], y1 = z[VMI_BROKEN_ROTOR_Y_RATE] * h;
-    vm_real psi0 = z[VMI_BROKEN_ROTOR_PSI], psi1 = z[VMI_BROKEN_ROTOR_PSI_RATE] * h;
-    vm_real drive = a->torque * h * h;
+    const int terms = VM_MANT_DIG > 24 ? 28 : 17;
+    const vm_two step = vmi_two(h, 0), k_h = vmi_two(-a->k * h, 0), s = vmi_two(a->s, 0);
+    const vm_two omega_h2 = vmi_two(-(a->omega * h) * (a->omega * h), 0);
+    const vm_two coupling_h2 = vmi_two(-a->coupling * h * h, 0);
+    vm_two y0 = vmi_two(z[VMI_BROKEN_ROTOR_Y], 0), psi0 = vmi_two(z[VMI_BROKEN_ROTOR_PSI], 0);
+    vm_two y1 = vmi_broken_rotor_product(vmi_two(z[VMI_BROKEN_ROTOR_Y_RATE], 0), step);
+    vm_two psi1 = vmi_broken_rotor_product(vmi_two(z[VMI_BROKEN_ROTOR_PSI_RATE], 0), step);
+    vm_two drive = vmi_two(a->torque * h * h, 0);
     int n;
     change[VMI_BROKEN_ROTOR_Y] = y1;
     change[VMI_BROKEN_ROTOR_PSI] = psi1;
-    change[VMI_BROKEN_ROTOR_Y_RATE] = 0;
-    change[VMI_BROKEN_ROTOR_PSI_RATE] = 0;
+    change[VMI_BROKEN_ROTOR_Y_RATE] = vmi_two(0, 0);
+    change[VMI_BROKEN_ROTOR_PSI_RATE] = vmi_two(0, 0);
     for (n = 2; n < terms && h != 0; n++) {
-        const vm_real share = 1 / (vm_real)(n * (n - 1)), y2 = -omega_h2 * (y0 + a->s * psi0) * share;
-        const vm_real psi2 = (drive - k_h * (vm_real)(n - 1) * psi1 - coupling_h2 * y0) * share;
-        change[VMI_BROKEN_ROTOR_Y] += y2;
-        change[VMI_BROKEN_ROTOR_PSI] += psi2;
-        change[VMI_BROKEN_ROTOR_Y_RATE] += (vm_real)n * y2 / h;
-        change[VMI_BROKEN_ROTOR_PSI_RATE] += (vm_real)n * psi2 / h;
+        const vm_two share = vmi_two_over(vmi_two(1, 0), vmi_two((vm_real)(n * (n - 1)), 0));
+        const vm_two degree = vmi_two((vm_real)n, 0), below = vmi_two((vm_real)(n - 1), 0);
+        const vm_two bent = vmi_two_plus(y0, vmi_broken_rotor_product(psi0, s));
+        const vm_two slowed = vmi_two_times(vmi_broken_rotor_product(psi1, k_h), below);
+        const vm_two pulled = vmi_two_plus(slowed, vmi_broken_rotor_product(y0, coupling_h2));
+        const vm_two y2 = vmi_two_times(vmi_broken_rotor_product(bent, omega_h2), share);
+        const vm_two psi2 = vmi_two_times(vmi_two_plus(drive, pulled), share);
+        const vm_two y_rate = vmi_two_over(vmi_two_times(y2, degree), step);
+        const vm_two psi_rate = vmi_two_over(vmi_two_times(psi2, degree), step);
+        change[VMI_BROKEN_ROTOR_Y] = vmi_two_plus(change[VMI_BROKEN_ROTOR_Y], y2);
+        change[VMI_BROKEN_ROTOR_PSI] = vmi_two_plus(change[VMI_BROKEN_ROTOR_PSI], psi2);
+        change[VMI_BROKEN_ROTOR_Y_RATE] = vmi_two_plus(change[VMI_BROKEN_ROTOR_Y_RATE], y_rate);
+        change[VMI_BROKEN_ROTOR_PSI_RATE] = vmi_two_plus(change[VMI_BROKEN_ROTOR_PSI_RATE], psi_rate);
         y0 = y1;
         psi0 = psi1;
         y1 = y2;
         psi1 = psi2;
-        drive = 0;
+        drive = vmi_two(0, 0);
     }
 }
 
@@ -98,31 +122,34 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
    last row of m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E
    converts the states at the start into the states at the end of the time. The matrix for twice the time is therefore
    (m + E)^2 - E = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
-VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
+VM_API void vmi_broken_rotor_double(vm_two m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
-    vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
+    vm_two old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
     int i, j, k;
     memcpy(old, m, sizeof old);
     for (j = 0; j <= VMI_BROKEN_ROTOR_COUPLED; j++)
         for (i = 0; i < VMI_BROKEN_ROTOR_COUPLED; i++) {
-            m[j][i] *= 2;
-            for (k = 0; k < VMI_BROKEN_ROTOR_COUPLED; k++) m[j][i] += old[k][i] * old[j][k];
+            m[j][i] = vmi_two_shifted(m[j][i], 2);
+            for (k = 0; k < VMI_BROKEN_ROTOR_COUPLED; k++)
+                m[j][i] = vmi_two_plus(m[j][i], vmi_broken_rotor_product(old[k][i], old[j][k]));
         }
 }
 
 /* Advances the states z by the time t, for any coefficients *a. The function halves t until the Taylor series converges
    fast. The series gives the matrix for the short time h that results. The function then doubles the time as often as
-   it has halved it; vmi_broken_rotor_double gives the matrix for each doubled time. */
+   it has halved it; vmi_broken_rotor_double gives the matrix for each doubled time. The entries of the matrix have two
+   words: the motion may depend on differences of entries, from which the fast vibrations cancel out. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
-    vm_real m[n + 1][n], start[n], change[n], h = t;
+    vm_two m[n + 1][n], change[n];
+    vm_real start[n], h = t;
     vmi_broken_rotor_linear driven = *a;
     int doublings = 0, i, j;
     for (; VM_FABS(h) * vmi_broken_rotor_rate(a) > 1; h /= 2) doublings++;
     if (doublings == 0) {
         vmi_broken_rotor_series(a, h, z, change);
-        for (i = 0; i < n; i++) z[i] += change[i];
+        for (i = 0; i < n; i++) z[i] += change[i].hi;
         return;
     }
     for (j = 0; j <= n; j++) {
@@ -134,9 +161,12 @@ VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a
     for (; doublings > 0; doublings--) vmi_broken_rotor_double(m);
     memcpy(start, z, sizeof start);
     for (i = 0; i < n; i++) {
-        vm_real sum = m[n][i];
-        for (j = 0; j < n; j++) sum += m[j][i] * start[j];
-        z[i] += sum;
+        vm_two sum = vmi_two_plus(m[n][i], vmi_two(start[i], 0));
+        for (j = 0; j < n; j++) {
+            const vm_two part = vmi_broken_rotor_product(m[j][i], vmi_two(start[j], 0));
+            sum = vmi_two_plus(sum, part);
+        }
+        z[i] = sum.hi;
     }
 }
 
@@ -191,13 +221,21 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
+/* Returns the product a b, and 0 if a = 0, even if b has overflowed. */
+VM_API vm_real vmi_broken_rotor_part(vm_real a, vm_real b)
+{
+    if (a == 0) return 0;
+    return a * b;
+}
+
 /* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
    The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if there
    is no coupling and |t| times vmi_broken_rotor_rate exceeds 2. Let w = omega and k = k*. The initial angle is psi0,
    and its initial rate is rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 =
    (t - E1)/k. E0 = e^(-kt) is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi.
    The functions g0, g1, g2 give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is
-   w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+   w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. With negative damping or a negative
+   time these functions may overflow, although rate0 and M* are 0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -206,14 +244,16 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     const vm_real psi0 = z[VMI_BROKEN_ROTOR_PSI], rate0 = z[VMI_BROKEN_ROTOR_PSI_RATE];
     const vm_real exponent = -a->k * t, ratio = vmi_exp_ratio(exponent);
     const vm_real E0 = vmi_exp(exponent, 0), E1 = ratio * t, E2 = vmi_broken_rotor_exp_rest(exponent, ratio) * (t * t);
-    vm_real g0, g1, g2;
+    vm_real g0, g1, g2, follow, follow_rate;
     g0 = w2 * ((E0 - g->c) + a->k * g->s_w) / sum;
     g1 = (w2 * (E1 - g->s_w) + a->k * g->c1) / sum;
     g2 = (w2 * E2 + (a->k * g->late - g->c1)) / sum;
-    z[VMI_BROKEN_ROTOR_Y] = y0 * g->c + v0 * g->s_w - a->s * (psi0 * g->c1 + (rate0 * g1 + a->torque * g2));
-    z[VMI_BROKEN_ROTOR_PSI] = psi0 + (rate0 * E1 + a->torque * E2);
-    z[VMI_BROKEN_ROTOR_Y_RATE] = v0 * g->c - y0 * g->w_s - a->s * (psi0 * g->w_s + (rate0 * g0 + a->torque * g1));
-    z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
+    follow = psi0 * g->c1 + (vmi_broken_rotor_part(rate0, g1) + vmi_broken_rotor_part(a->torque, g2));
+    follow_rate = psi0 * g->w_s + (vmi_broken_rotor_part(rate0, g0) + vmi_broken_rotor_part(a->torque, g1));
+    z[VMI_BROKEN_ROTOR_Y] = y0 * g->c + v0 * g->s_w - vmi_broken_rotor_part(a->s, follow);
+    z[VMI_BROKEN_ROTOR_PSI] = psi0 + (vmi_broken_rotor_part(rate0, E1) + vmi_broken_rotor_part(a->torque, E2));
+    z[VMI_BROKEN_ROTOR_Y_RATE] = v0 * g->c - y0 * g->w_s - vmi_broken_rotor_part(a->s, follow_rate);
+    z[VMI_BROKEN_ROTOR_PSI_RATE] = vmi_broken_rotor_part(rate0, E0) + vmi_broken_rotor_part(a->torque, E1);
 }
 
 /* Checks the arguments of vm_broken_rotor_linear, vm_broken_rotor_linear_uncoupled and vm_broken_rotor_free_motion.
@@ -262,9 +302,9 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
    as start. The fields damping, stiffness and s may be 0. Rounding of all inputs, t included, would change the result;
-   the error of the function is at most twice this change. Only if damping slows the rotation, psi' may have an
-   additional error, of a few eps of its value in `start`. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if
-   an argument, the result or a coefficient of (69) is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the
+   the error of the function is at most this change. Only if damping slows the rotation, psi' may have an additional
+   error, of a few eps^2 of its value in `start`. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   argument, the result or a coefficient of (69) is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the
    inertia of the rotor is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
