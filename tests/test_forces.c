@@ -207,6 +207,23 @@ static void check_shaft_range(void)
         agrees("vm_force_shaft", "VM_MIN to VM_MAX", fx, 1.2, 2, 6, (double)r);
         agrees("vm_force_shaft", "VM_MIN to VM_MAX", fy, -1.6, 2, 6, (double)r);
     }
+    for (r = 1; r < 1 / VM_EPSILON; r *= 2) { /* 1/r, r or the force divided by r is beyond the range of the type */
+        const vm_real least = VM_MIN * VM_EPSILON * r, most = VM_MAX * (1 - VM_EPSILON) / r;
+        const vm_real weak = 16 * VM_MIN / VM_EPSILON;
+        vm_force_shaft(least, 0, REAL(1e10), 0, &fx, &fy);
+        CHECK(fx == REAL(-1e10) && fy == 0);
+        vm_force_shaft(least, -least, 2, 0, &fx, &fy);
+        agrees("vm_force_shaft", "subnormal", fx, -sqrt(2), 2, 6, (double)r);
+        agrees("vm_force_shaft", "subnormal", fy, sqrt(2), 2, 6, (double)r);
+        vm_force_shaft(least, least, 1, REAL(0.5), &fx, &fy);
+        agrees("vm_force_shaft", "subnormal", fx, -sqrt(sqrt(0.5)) * sqrt((double)least), sqrt((double)least), 6,
+               (double)r);
+        vm_force_shaft(most, most, 2, 0, &fx, &fy);
+        agrees("vm_force_shaft", "VM_MAX", fx, -sqrt(2), 2, 6, (double)r);
+        agrees("vm_force_shaft", "VM_MAX", fy, -sqrt(2), 2, 6, (double)r);
+        vm_force_shaft(0, most, weak, 0, &fx, &fy);
+        CHECK(fx == 0 && fy == -weak);
+    }
     vm_force_shaft(VM_NAN, 1, 2, 0, &fx, &fy);
     CHECK(is_nan(fx) && is_nan(fy));
     vm_force_shaft(1, VM_NAN, 2, 1, &fx, &fy);

@@ -66,13 +66,27 @@ VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real re
 /* The weight of a mass, mass g. mass is in kg and g in m/s^2. g is negative if the coordinate points up. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
+/* Divides *x and *y by the larger of |x| and |y|. Returns the number whose product with the new *x and *y is the force
+   that vm_force_shaft describes. The function is needed where r, or the force divided by r, overflows or underflows. */
+VM_INLINE vm_real vmi_force_shaft_scaled(vm_real *x, vm_real *y, vm_real k, vm_real alpha)
+{
+    const vm_real most = vmi_larger(VM_FABS(*x), VM_FABS(*y));
+    *x /= most;
+    *y /= most;
+    const vm_real ratio = vmi_hypot(*x, *y);
+    return vm_force_spring(most, k, alpha) * (vm_force_spring(ratio, -1, alpha) / ratio);
+}
+
 /* The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y). It points to the origin of the plane. r
    is in m and the stiffness k in N/m^alpha; alpha must not be negative. The components are written to *fx and *fy; if
    one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    const vm_real r = vmi_hypot(x, y), f = r != 0 ? vm_force_spring(r, k, alpha) / r : 0;
+    const vm_real r = vmi_hypot(x, y);
+    vm_real f = r != 0 ? vm_force_spring(r, k, alpha) / r : 0;
+    const int in_range = r >= VM_MIN && VM_FABS(f) >= VM_MIN && VM_FABS(f) <= VM_MAX;
+    if (!in_range && r != 0) f = vmi_force_shaft_scaled(&x, &y, k, alpha);
     *fx = f * x;
     *fy = f * y;
 }
