@@ -257,6 +257,25 @@ static void test_linear_flow_refusals(void)
     CHECK(!vm_linear_flow(&s, R(.5), VM_MAX, -VM_MAX, 1, VM_MAX, &x, &v) && x < VM_MAX);
 }
 
+/* omega stays in the type's range, although its growth by 4^n and its decay by 4^-n are beyond it. A/A0 is 4. */
+static void check_jet_range(int n, int from, int to)
+{
+    const double x = ldexp(3, from), y = ldexp(4, from), unit = eps * fabs(3.0 * n);
+    vm_jet jet = {1, 1, 1, 0, 1, 0, 0};
+    vm_vec3 omega = vector(0, 0, 0);
+    jet.gyration_out = R(n + 1);
+    CHECK(vm_jet_damping(&jet, 3, vector(x, y, 0), &omega) == VM_OK);
+    check_error("vm_jet_damping", "range", "eps*", fabs((double)omega.x / ldexp(3, to) - 1) / unit, 8, n, 0);
+    check_error("vm_jet_damping", "range", "eps*", fabs((double)omega.y / ldexp(4, to) - 1) / unit, 8, n, 0);
+}
+
+static void test_jet_range(void)
+{
+    const int n = is_float ? 70 : 520, size = is_float ? 100 : 1000;
+    check_jet_range(n, -size, 2 * n - size);
+    check_jet_range(-n, size, size - 2 * n);
+}
+
 static void test_jet_refusals(void)
 {
     const vm_vec3 omega0 = vector(1, 2, 3);
@@ -337,6 +356,7 @@ int main(void)
     test_jet_table();
     test_running_out();
     test_linear_flow_refusals();
+    test_jet_range();
     test_jet_refusals();
     test_bad_states();
     check_mass_not_finite(VM_NAN);

@@ -146,7 +146,7 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    or the result is infinite or NaN; VM_BAD_INERTIA if A0, C0, A or C is not positive; VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
-    vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
+    vm_real change, tau, first, second, exponent, share, rest = 1, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !vmi_vec3_is_finite(omega0) || !vmi_jet_finite(jet)) return VM_NOT_FINITE;
@@ -158,11 +158,15 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
     share = vmi_exp(exponent * first, 0);
-    if (omega0.x == 0 && omega0.y == 0) share = 0; /* where the exponential overflows, too */
+    if (!(share >= VM_MIN && share <= VM_MAX)) {
+        share = vmi_exp(exponent * first / 2, 0); /* the square root, because the whole is beyond the type's range */
+        rest = share;
+    }
+    if (omega0.x == 0 && omega0.y == 0) share = rest = 0; /* where the exponential overflows, too */
     angle = omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second);
     vmi_sincos(angle, &sine, &cosine);
-    later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine), share * (omega0.y * cosine + omega0.x * sine),
-                     omega0.z);
+    later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine) * rest,
+                     share * (omega0.y * cosine + omega0.x * sine) * rest, omega0.z);
     if (!vmi_vec3_is_finite(later)) return VM_NOT_FINITE;
     *omega = later;
     return VM_OK;
