@@ -93,6 +93,55 @@ static void test_balance(void)
     }
 }
 
+/* The trace of the body's inertia plus its mass times the squared distance from the axle's point */
+static double whole_size(const axle_case *a, const vm_body *b)
+{
+    const double d = size_of(vm_sub(b->r, a->axle.at));
+    return (double)vmi_inertia_trace(&b->inertia) + (double)b->mass * d * d;
+}
+
+/* The inertia of the body about the axle */
+static double about_axle(const axle_case *a, const vm_body *b)
+{
+    const double d = size_of(vm_cross(a->e, vm_sub(b->r, a->axle.at)));
+    return (double)vm_dot(a->e, vmi_spin_momentum_at(b, a->e)) + (double)b->mass * d * d;
+}
+
+/* A rest with little inertia about the axle: it is a small difference of large numbers. */
+static void test_small_rest(void)
+{
+    int i;
+    for (i = 0; i < 2000; i++) {
+        axle_case a = random_case();
+        const double small = pow(10, uniform(is_float ? -2 : -8, 0));
+        vm_body rest;
+        vm_vec3 slip, spin, momentum;
+        double inertia_left, change, fastest, H, error;
+        a.rest.mass = R(small) * a.rest.mass;
+        a.rest.inertia = vmi_inertia_plus(inertia(0, 0, 0, 0, 0, 0), R(small), a.rest.inertia);
+        if (i % 2) a.rest.r = a.part.r = a.axle.at;
+        turn(&a, &a.rest);
+        turn(&a, &a.part);
+        CHECK(vm_attach(&a.rest, &a.part, NULL, &a.whole) == VM_OK);
+        turn(&a, &a.whole);
+        slip = random_vector(3);
+        spin = random_vector(3);
+        a.part.v = vm_add(a.part.v, slip);
+        a.part.omega = vm_add(a.part.omega, spin);
+        rest = a.whole;
+        CHECK(vm_separate_on_axle(&a.axle, &a.whole, 1, &a.part, NULL, &rest, NULL) == VM_OK);
+        momentum = vm_add(vmi_spin_momentum_at(&a.part, spin),
+                          vm_scale(a.part.mass, vm_cross(vm_sub(a.part.r, a.axle.at), slip)));
+        inertia_left = about_axle(&a, &a.rest);
+        change = -(double)vm_dot(a.e, momentum) / inertia_left;
+        fastest = fmax(size_of(rest.omega), fmax(size_of(a.whole.omega), size_of(a.part.omega)));
+        H = fastest * (whole_size(&a, &a.whole) + whole_size(&a, &a.part) + whole_size(&a, &rest)) +
+            (double)a.part.mass * size_of(vm_sub(a.part.r, a.axle.at)) * size_of(a.part.v);
+        error = size_of(vm_sub(rest.omega, vm_scale(R(a.rate + change), a.e)));
+        check_error("small rest", "omega", "eps", error / eps / (H / inertia_left), 4, small, i);
+    }
+}
+
 /* Where the part goes on as the whole did, nothing changes and the axle gives nothing. */
 static void test_unchanged(void)
 {
@@ -235,6 +284,7 @@ static void test_refusals(void)
 int main(void)
 {
     test_balance();
+    test_small_rest();
     test_unchanged();
     test_pendulum();
     test_caught();
