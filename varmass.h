@@ -3646,8 +3646,12 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
    axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the motion
    of the rest does not change. With n = 0 no part leaves, and only the impulse acts. If the whole did not turn about
    the axle before the separation, the axle catches the body at the instant of the separation. The error of the angular
-   velocity is a few eps times s divided by the inertia about the axle. Here s is the sum of the absolute values of the
-   terms of e . L; e and L are explained at the top of mechanics/axle.h. Returns VM_OK, an error status of
+   velocity is at most 4 eps times H divided by the inertia of the rest about the axle, if rounding of the inputs, the
+   positions included, changes this inertia only by a small part of itself. H is the sum of (J + m d^2) w + m d v over
+   the whole, the parts and the rest, plus the absolute values of the impulse's couple and moment about axle->at. Here
+   m, J and v are the mass, the trace of the inertia and the speed of a body, d is the distance of its mass centre from
+   axle->at, and w is the largest angular velocity of all these bodies. If the rest has little inertia about the axle,
+   this inertia is a small difference of large numbers, and many digits are lost. Returns VM_OK, an error status of
    vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but
    would need angular momentum about it. In the last case the rest turns as the whole did. The pointer `rest` may be
    equal to `whole`. */
@@ -4073,34 +4077,56 @@ VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
+/* Returns the product x y in two words, and 0 if a factor is 0, even if the other factor has overflowed. If the product
+   is too large for the arithmetic in two words, only its first word is computed. */
+VM_API vm_two vmi_broken_rotor_product(vm_two x, vm_two y)
+{
+    vm_two p = vmi_two(0, 0);
+    if (x.hi == 0 || y.hi == 0) return p;
+    p = vmi_two_times(x, y);
+    if (!VM_IS_FINITE(p.hi) || !VM_IS_FINITE(p.lo)) p = vmi_two(x.hi * y.hi, 0);
+    return p;
+}
+
 /* Sets `change` to the change of the states z within the time h, by the Taylor series in h. The time must be short: |h|
    times vmi_broken_rotor_rate must be at most 1. The n-th terms of the series of y and of s psi are then at most 1/n!
    times the first terms, so that a fixed number of terms is enough. In the loop y0, y1, y2 are three successive terms
-   of the series of y, and psi0, psi1, psi2 are three successive terms of the series of psi. */
-VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_real *change)
+   of the series of y, and psi0, psi1, psi2 are three successive terms of the series of psi. All sums have two words.
+   The rounding of the coefficients omega_h2, k_h and coupling_h2 acts like a rounding of the inputs. */
+VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h, const vm_real *z, vm_two *change)
 {
-    const int terms = VM_MANT_DIG > 24 ? 20 : 12;
-    const vm_real omega_h2 = (a->omega * h) * (a->omega * h), k_h = a->k * h, coupling_h2 = a->coupling * h * h;
-    vm_real y0 = z[VMI_BROKEN_ROTOR_Y], y1 = z[VMI_BROKEN_ROTOR_Y_RATE] * h;
-    vm_real psi0 = z[VMI_BROKEN_ROTOR_PSI], psi1 = z[VMI_BROKEN_ROTOR_PSI_RATE] * h;
-    vm_real drive = a->torque * h * h;
+    const int terms = VM_MANT_DIG > 24 ? 28 : 17;
+    const vm_two step = vmi_two(h, 0), k_h = vmi_two(-a->k * h, 0), s = vmi_two(a->s, 0);
+    const vm_two omega_h2 = vmi_two(-(a->omega * h) * (a->omega * h), 0);
+    const vm_two coupling_h2 = vmi_two(-a->coupling * h * h, 0);
+    vm_two y0 = vmi_two(z[VMI_BROKEN_ROTOR_Y], 0), psi0 = vmi_two(z[VMI_BROKEN_ROTOR_PSI], 0);
+    vm_two y1 = vmi_broken_rotor_product(vmi_two(z[VMI_BROKEN_ROTOR_Y_RATE], 0), step);
+    vm_two psi1 = vmi_broken_rotor_product(vmi_two(z[VMI_BROKEN_ROTOR_PSI_RATE], 0), step);
+    vm_two drive = vmi_two(a->torque * h * h, 0);
     int n;
     change[VMI_BROKEN_ROTOR_Y] = y1;
     change[VMI_BROKEN_ROTOR_PSI] = psi1;
-    change[VMI_BROKEN_ROTOR_Y_RATE] = 0;
-    change[VMI_BROKEN_ROTOR_PSI_RATE] = 0;
+    change[VMI_BROKEN_ROTOR_Y_RATE] = vmi_two(0, 0);
+    change[VMI_BROKEN_ROTOR_PSI_RATE] = vmi_two(0, 0);
     for (n = 2; n < terms && h != 0; n++) {
-        const vm_real share = 1 / (vm_real)(n * (n - 1)), y2 = -omega_h2 * (y0 + a->s * psi0) * share;
-        const vm_real psi2 = (drive - k_h * (vm_real)(n - 1) * psi1 - coupling_h2 * y0) * share;
-        change[VMI_BROKEN_ROTOR_Y] += y2;
-        change[VMI_BROKEN_ROTOR_PSI] += psi2;
-        change[VMI_BROKEN_ROTOR_Y_RATE] += (vm_real)n * y2 / h;
-        change[VMI_BROKEN_ROTOR_PSI_RATE] += (vm_real)n * psi2 / h;
+        const vm_two share = vmi_two_over(vmi_two(1, 0), vmi_two((vm_real)(n * (n - 1)), 0));
+        const vm_two degree = vmi_two((vm_real)n, 0), below = vmi_two((vm_real)(n - 1), 0);
+        const vm_two bent = vmi_two_plus(y0, vmi_broken_rotor_product(psi0, s));
+        const vm_two slowed = vmi_two_times(vmi_broken_rotor_product(psi1, k_h), below);
+        const vm_two pulled = vmi_two_plus(slowed, vmi_broken_rotor_product(y0, coupling_h2));
+        const vm_two y2 = vmi_two_times(vmi_broken_rotor_product(bent, omega_h2), share);
+        const vm_two psi2 = vmi_two_times(vmi_two_plus(drive, pulled), share);
+        const vm_two y_rate = vmi_two_over(vmi_two_times(y2, degree), step);
+        const vm_two psi_rate = vmi_two_over(vmi_two_times(psi2, degree), step);
+        change[VMI_BROKEN_ROTOR_Y] = vmi_two_plus(change[VMI_BROKEN_ROTOR_Y], y2);
+        change[VMI_BROKEN_ROTOR_PSI] = vmi_two_plus(change[VMI_BROKEN_ROTOR_PSI], psi2);
+        change[VMI_BROKEN_ROTOR_Y_RATE] = vmi_two_plus(change[VMI_BROKEN_ROTOR_Y_RATE], y_rate);
+        change[VMI_BROKEN_ROTOR_PSI_RATE] = vmi_two_plus(change[VMI_BROKEN_ROTOR_PSI_RATE], psi_rate);
         y0 = y1;
         psi0 = psi1;
         y1 = y2;
         psi1 = psi2;
-        drive = 0;
+        drive = vmi_two(0, 0);
     }
 }
 
@@ -4109,31 +4135,34 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
    last row of m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E
    converts the states at the start into the states at the end of the time. The matrix for twice the time is therefore
    (m + E)^2 - E = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
-VM_API void vmi_broken_rotor_double(vm_real m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
+VM_API void vmi_broken_rotor_double(vm_two m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
-    vm_real old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
+    vm_two old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
     int i, j, k;
     memcpy(old, m, sizeof old);
     for (j = 0; j <= VMI_BROKEN_ROTOR_COUPLED; j++)
         for (i = 0; i < VMI_BROKEN_ROTOR_COUPLED; i++) {
-            m[j][i] *= 2;
-            for (k = 0; k < VMI_BROKEN_ROTOR_COUPLED; k++) m[j][i] += old[k][i] * old[j][k];
+            m[j][i] = vmi_two_shifted(m[j][i], 2);
+            for (k = 0; k < VMI_BROKEN_ROTOR_COUPLED; k++)
+                m[j][i] = vmi_two_plus(m[j][i], vmi_broken_rotor_product(old[k][i], old[j][k]));
         }
 }
 
 /* Advances the states z by the time t, for any coefficients *a. The function halves t until the Taylor series converges
    fast. The series gives the matrix for the short time h that results. The function then doubles the time as often as
-   it has halved it; vmi_broken_rotor_double gives the matrix for each doubled time. */
+   it has halved it; vmi_broken_rotor_double gives the matrix for each doubled time. The entries of the matrix have two
+   words: the motion may depend on differences of entries, from which the fast vibrations cancel out. */
 VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a, vm_real *z)
 {
     enum { n = VMI_BROKEN_ROTOR_COUPLED };
-    vm_real m[n + 1][n], start[n], change[n], h = t;
+    vm_two m[n + 1][n], change[n];
+    vm_real start[n], h = t;
     vmi_broken_rotor_linear driven = *a;
     int doublings = 0, i, j;
     for (; VM_FABS(h) * vmi_broken_rotor_rate(a) > 1; h /= 2) doublings++;
     if (doublings == 0) {
         vmi_broken_rotor_series(a, h, z, change);
-        for (i = 0; i < n; i++) z[i] += change[i];
+        for (i = 0; i < n; i++) z[i] += change[i].hi;
         return;
     }
     for (j = 0; j <= n; j++) {
@@ -4145,9 +4174,12 @@ VM_API void vmi_broken_rotor_advance(vm_real t, const vmi_broken_rotor_linear *a
     for (; doublings > 0; doublings--) vmi_broken_rotor_double(m);
     memcpy(start, z, sizeof start);
     for (i = 0; i < n; i++) {
-        vm_real sum = m[n][i];
-        for (j = 0; j < n; j++) sum += m[j][i] * start[j];
-        z[i] += sum;
+        vm_two sum = vmi_two_plus(m[n][i], vmi_two(start[i], 0));
+        for (j = 0; j < n; j++) {
+            const vm_two part = vmi_broken_rotor_product(m[j][i], vmi_two(start[j], 0));
+            sum = vmi_two_plus(sum, part);
+        }
+        z[i] = sum.hi;
     }
 }
 
@@ -4202,13 +4234,21 @@ VM_API vmi_broken_rotor_swing vmi_broken_rotor_swing_at(vm_real t, vm_real w)
     return g;
 }
 
+/* Returns the product a b, and 0 if a = 0, even if b has overflowed. */
+VM_API vm_real vmi_broken_rotor_part(vm_real a, vm_real b)
+{
+    if (a == 0) return 0;
+    return a * b;
+}
+
 /* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
    The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if there
    is no coupling and |t| times vmi_broken_rotor_rate exceeds 2. Let w = omega and k = k*. The initial angle is psi0,
    and its initial rate is rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 =
    (t - E1)/k. E0 = e^(-kt) is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi.
    The functions g0, g1, g2 give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is
-   w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. */
+   w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. With negative damping or a negative
+   time these functions may overflow, although rate0 and M* are 0. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -4217,14 +4257,16 @@ VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a,
     const vm_real psi0 = z[VMI_BROKEN_ROTOR_PSI], rate0 = z[VMI_BROKEN_ROTOR_PSI_RATE];
     const vm_real exponent = -a->k * t, ratio = vmi_exp_ratio(exponent);
     const vm_real E0 = vmi_exp(exponent, 0), E1 = ratio * t, E2 = vmi_broken_rotor_exp_rest(exponent, ratio) * (t * t);
-    vm_real g0, g1, g2;
+    vm_real g0, g1, g2, follow, follow_rate;
     g0 = w2 * ((E0 - g->c) + a->k * g->s_w) / sum;
     g1 = (w2 * (E1 - g->s_w) + a->k * g->c1) / sum;
     g2 = (w2 * E2 + (a->k * g->late - g->c1)) / sum;
-    z[VMI_BROKEN_ROTOR_Y] = y0 * g->c + v0 * g->s_w - a->s * (psi0 * g->c1 + (rate0 * g1 + a->torque * g2));
-    z[VMI_BROKEN_ROTOR_PSI] = psi0 + (rate0 * E1 + a->torque * E2);
-    z[VMI_BROKEN_ROTOR_Y_RATE] = v0 * g->c - y0 * g->w_s - a->s * (psi0 * g->w_s + (rate0 * g0 + a->torque * g1));
-    z[VMI_BROKEN_ROTOR_PSI_RATE] = rate0 * E0 + a->torque * E1;
+    follow = psi0 * g->c1 + (vmi_broken_rotor_part(rate0, g1) + vmi_broken_rotor_part(a->torque, g2));
+    follow_rate = psi0 * g->w_s + (vmi_broken_rotor_part(rate0, g0) + vmi_broken_rotor_part(a->torque, g1));
+    z[VMI_BROKEN_ROTOR_Y] = y0 * g->c + v0 * g->s_w - vmi_broken_rotor_part(a->s, follow);
+    z[VMI_BROKEN_ROTOR_PSI] = psi0 + (vmi_broken_rotor_part(rate0, E1) + vmi_broken_rotor_part(a->torque, E2));
+    z[VMI_BROKEN_ROTOR_Y_RATE] = v0 * g->c - y0 * g->w_s - vmi_broken_rotor_part(a->s, follow_rate);
+    z[VMI_BROKEN_ROTOR_PSI_RATE] = vmi_broken_rotor_part(rate0, E0) + vmi_broken_rotor_part(a->torque, E1);
 }
 
 /* Checks the arguments of vm_broken_rotor_linear, vm_broken_rotor_linear_uncoupled and vm_broken_rotor_free_motion.
@@ -4273,9 +4315,9 @@ VM_API int vmi_broken_rotor_linearised(const vm_broken_rotor *rotor, vm_real t, 
    The result describes the rotor for short times, while |psi| << 1, because solutions of (69) grow exponentially with
    t. t may have any sign. The arrays start and end have VM_BROKEN_ROTOR_STATES numbers, and end may be the same array
    as start. The fields damping, stiffness and s may be 0. Rounding of all inputs, t included, would change the result;
-   the error of the function is at most twice this change. Only if damping slows the rotation, psi' may have an
-   additional error, of a few eps of its value in `start`. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if
-   an argument, the result or a coefficient of (69) is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the
+   the error of the function is at most this change. Only if damping slows the rotation, psi' may have an additional
+   error, of a few eps^2 of its value in `start`. Returns VM_BAD_ARGUMENT for a null pointer; VM_NOT_FINITE if an
+   argument, the result or a coefficient of (69) is infinite or NaN; VM_BAD_MASS or VM_BAD_INERTIA if the mass or the
    inertia of the rotor is not positive; VM_BAD_STIFFNESS if the stiffness is negative; VM_OK otherwise. */
 VM_API int vm_broken_rotor_linear(const vm_broken_rotor *rotor, vm_real t, const vm_real *start, vm_real *end)
 {
@@ -7257,7 +7299,7 @@ VM_API int vmi_jet_finite(const vm_jet *jet)
    or the result is infinite or NaN; VM_BAD_INERTIA if A0, C0, A or C is not positive; VM_OK otherwise. */
 VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 *omega)
 {
-    vm_real change, tau, first, second, exponent, share, angle, sine, cosine;
+    vm_real change, tau, first, second, exponent, share, rest = 1, angle, sine, cosine;
     vm_vec3 later;
     if (!jet || !omega) return VM_BAD_ARGUMENT;
     if (!VM_IS_FINITE(t) || !vmi_vec3_is_finite(omega0) || !vmi_jet_finite(jet)) return VM_NOT_FINITE;
@@ -7269,11 +7311,15 @@ VM_API int vm_jet_damping(const vm_jet *jet, vm_real t, vm_vec3 omega0, vm_vec3 
     if (!(tau > -1 && jet->axial + jet->rate * t * jet->gyration_axial > 0)) return VM_BAD_INERTIA;
     vmi_stream_log_means(tau, &first, &second);
     share = vmi_exp(exponent * first, 0);
-    if (omega0.x == 0 && omega0.y == 0) share = 0; /* where the exponential overflows, too */
+    if (!(share >= VM_MIN && share <= VM_MAX)) {
+        share = vmi_exp(exponent * first / 2, 0); /* the square root, because the whole is beyond the type's range */
+        rest = share;
+    }
+    if (omega0.x == 0 && omega0.y == 0) share = rest = 0; /* where the exponential overflows, too */
     angle = omega0.z * t * (jet->axial / jet->transverse * first - 1 + change * jet->gyration_axial * second);
     vmi_sincos(angle, &sine, &cosine);
-    later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine), share * (omega0.y * cosine + omega0.x * sine),
-                     omega0.z);
+    later = vmi_vec3(share * (omega0.x * cosine - omega0.y * sine) * rest,
+                     share * (omega0.y * cosine + omega0.x * sine) * rest, omega0.z);
     if (!vmi_vec3_is_finite(later)) return VM_NOT_FINITE;
     *omega = later;
     return VM_OK;
@@ -22939,13 +22985,27 @@ VM_INLINE vm_real vm_force_stream(vm_real v, vm_real rate, vm_real u, vm_real re
 /* The weight of a mass, mass g. mass is in kg and g in m/s^2. g is negative if the coordinate points up. */
 VM_INLINE vm_real vm_force_gravity(vm_real mass, vm_real g) { return mass * g; }
 
+/* Divides *x and *y by the larger of |x| and |y|. Returns the number whose product with the new *x and *y is the force
+   that vm_force_shaft describes. The function is needed where r, or the force divided by r, overflows or underflows. */
+VM_INLINE vm_real vmi_force_shaft_scaled(vm_real *x, vm_real *y, vm_real k, vm_real alpha)
+{
+    const vm_real most = vmi_larger(VM_FABS(*x), VM_FABS(*y));
+    *x /= most;
+    *y /= most;
+    const vm_real ratio = vmi_hypot(*x, *y);
+    return vm_force_spring(most, k, alpha) * (vm_force_spring(ratio, -1, alpha) / ratio);
+}
+
 /* The force of an elastic shaft, -k r |r|^(alpha-1), on a point at r = (x, y). It points to the origin of the plane. r
    is in m and the stiffness k in N/m^alpha; alpha must not be negative. The components are written to *fx and *fy; if
    one of these pointers is NULL, nothing is written. */
 VM_INLINE void vm_force_shaft(vm_real x, vm_real y, vm_real k, vm_real alpha, vm_real *fx, vm_real *fy)
 {
     if (!fx || !fy) return;
-    const vm_real r = vmi_hypot(x, y), f = r != 0 ? vm_force_spring(r, k, alpha) / r : 0;
+    const vm_real r = vmi_hypot(x, y);
+    vm_real f = r != 0 ? vm_force_spring(r, k, alpha) / r : 0;
+    const int in_range = r >= VM_MIN && VM_FABS(f) >= VM_MIN && VM_FABS(f) <= VM_MAX;
+    if (!in_range && r != 0) f = vmi_force_shaft_scaled(&x, &y, k, alpha);
     *fx = f * x;
     *fy = f * y;
 }
