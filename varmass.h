@@ -21368,8 +21368,8 @@ VM_API vm_real vmi_periodic_excess_sum(vm_real phase, void *search)
 }
 
 /* Returns the steady vibration of a phase that is counted from the origin of the search, with trace and determinant of
-   the linearized averaged equations. The frequency nu of the force follows from the phase. The field A is 0 where there is no such
-   vibration. */
+   the linearized averaged equations. The frequency nu of the force follows from the phase. The field A is 0 where there
+   is no such vibration. */
 VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_real phase)
 {
     const vmi_resonance *z = &search->z;
@@ -21437,13 +21437,14 @@ VM_API void vmi_periodic_insert(vmi_periodic_list *list, vm_steady_state state)
     list->found++;
 }
 
-/* Inserts the steady vibrations between the phase `far`, where the excess is at_far, and the origin of the search,
+/* Inserts the steady vibrations between the phase `outer`, where the excess is at_outer, and the origin of the search,
    which is a zero of S. The steps are of one degree, near the origin of three tenths of the phase, because the
-   amplitudes there depend on the ratio of the phases. The walk ends where the excess cannot change its sign any more. */
-VM_API void vmi_periodic_walk(vmi_periodic_search *search, vm_real far, vm_real at_far, vmi_periodic_list *list)
+   amplitudes there depend on the ratio of the phases. The walk ends where the excess cannot change its sign any more.
+   */
+VM_API void vmi_periodic_walk(vmi_periodic_search *search, vm_real outer, vm_real at_outer, vmi_periodic_list *list)
 {
-    const vm_real degree = VM_COPYSIGN(VM_PI / 180, far), ratio = VM_C(0.7);
-    vm_real phase = far, before = at_far;
+    const vm_real degree = VM_COPYSIGN(VM_PI / 180, outer), ratio = VM_C(0.7);
+    vm_real phase = outer, before = at_outer;
     vmi_periodic_excess e;
     do {
         const vm_real last = phase;
