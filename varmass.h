@@ -17461,7 +17461,7 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
 }
 
 /* Returns 1 if the amplitude that follows from a mean amplitude with its ripple is within an eighth of the exact
-   amplitude, else 0. The mean amplitude is found by three iterations, which come so near unless the ripple is about as
+   amplitude, else 0. The mean amplitude is found by a few iterations, which come so near unless the ripple is about as
    large as the amplitude. */
 VM_API int vmi_slow_is_solved(vm_real amplitude, vm_real exact) { return VM_FABS(amplitude - exact) <= exact / 8; }
 
@@ -20629,13 +20629,14 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
      q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s[j]/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
    with n = 2j + 1, with q of vmi_forced_q, and with F as the amplitude of the force. For n = 1 the function leaves out
    cos(n phi - theta)/(n - 1), since phi - theta does not vary within a period at the resonance. */
-VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters *n, vm_real A, vm_real w, vm_real phi,
                                  vm_real theta)
 {
     const vm_forced *f = (const vm_forced *)forced;
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
     vm_real sa, ca, sum = 0, unused, plus, minus;
     int j;
+    (void)w; /* nu, as at the resonance */
     ateb_saca(phi * (f->pi / VM_PI), f->alpha, &sa, &ca);
     for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
         const vm_real order = (vm_real)(2 * j + 1);
@@ -20648,25 +20649,38 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* A function that returns the ripple of the amplitude for one kind of force; `object` points to the oscillator with its
-   force. */
-typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
-                                       vm_real theta);
+/* A function that returns the ripple of the amplitude for one kind of force, for the mean amplitude A, the frequency w
+   and the phase phi of the vibration, and the phase theta of the force; `object` points to the oscillator with its force.
+   */
+typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real w,
+                                       vm_real phi, vm_real theta);
 
-/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A)
-   = exact, where `exact` is the amplitude at this instant. Returns VM_NOT_FINITE where the exact amplitude overflows,
-   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or three iterations are not enough. */
-VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
-                            const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
+/* Returns the ripple for the frequency of the free vibration of amplitude A. */
+VM_API vm_real vmi_forced_free_ripple(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
+                                      const void *object, vm_real A, vm_real phi, vm_real theta)
 {
-    vm_real exact, mean;
+    return ripple(object, n, A, vmi_forced_natural(f, n, A), phi, theta);
+}
+
+/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Six iterations solve A + ripple(A) =
+   exact, where `exact` is the amplitude at this instant. The first three use the frequency `resonance`, rad/s, that the
+   vibration has at the resonance. The divisors of the ripple are then not small; with the frequency of the free
+   vibration they may be nearly 0 at the exact amplitude, although they are not at the mean one. Returns VM_NOT_FINITE where the exact amplitude overflows,
+   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or six iterations are not enough. */
+VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
+                            const void *object, vm_real resonance, const vm_real *motion, vm_real *A, vm_real *phi)
+{
+    const vm_real theta = motion[2];
+    vm_real exact, mean, again;
     int i;
     vmi_slow_phase(motion[0], motion[1], n->k, n->mass, f->alpha, &exact, phi);
     if (!VM_IS_FINITE(exact)) return VM_NOT_FINITE;
     *phi *= VM_PI / f->pi;
     mean = exact;
-    for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, *phi, motion[2]);
-    if (!(mean > 0) || !vmi_slow_is_solved(mean + ripple(object, n, mean, *phi, motion[2]), exact)) return VM_DOMAIN;
+    for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, resonance, *phi, theta);
+    for (i = 0; i < 3; i++) mean = exact - vmi_forced_free_ripple(f, n, ripple, object, mean, *phi, theta);
+    again = mean + vmi_forced_free_ripple(f, n, ripple, object, mean, *phi, theta);
+    if (!(mean > 0) || !vmi_slow_is_solved(again, exact)) return VM_DOMAIN;
     *A = mean;
     return VM_OK;
 }
@@ -20676,7 +20690,7 @@ VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, 
 VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                            const void *object, vm_real mean, vm_real phi, vm_real theta, vm_real *motion)
 {
-    const vm_real A = mean + ripple(object, n, mean, phi, theta);
+    const vm_real A = mean + vmi_forced_free_ripple(f, n, ripple, object, mean, phi, theta);
     vm_real r[3];
     if (!(mean > 0) || !(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, phi * (f->pi / VM_PI), n->k, n->mass, f->alpha, &r[0], &r[1]);
@@ -20697,7 +20711,7 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     const vm_real theta = motion[2];
     vm_real A, phi;
     if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
-    if (!status) status = vmi_forced_split(f, &n, vmi_forced_ripple, f, motion, &A, &phi);
+    if (!status) status = vmi_forced_split(f, &n, vmi_forced_ripple, f, n.nu, motion, &A, &phi);
     if (status) return status;
     y[0] = A;
     y[1] = phi - theta;
@@ -21186,22 +21200,19 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
     return VM_OK;
 }
 
-/* The ripple of the amplitude, which is the exact amplitude minus the mean amplitude, at the phase phi of the vibration
-   and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes and damping, which act
+/* The ripple of the amplitude, which is the exact amplitude minus the mean amplitude, at the frequency w and the phase
+   phi of the vibration and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes and damping, which act
    at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb phase. The force adds F/(m
    Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
-   where u = j phi + n theta, v = j phi - n theta, w = (P/Q) nu, and s_j is the Fourier coefficient of sin(j phi) in sa.
-   For a j and an n that are in resonance the second quotient is left out, since v does not vary at the resonance. For
-   all others |j w - n nu| is at least nu/Q. With the frequency of the free vibration of amplitude A in place of w,
-   j w - n nu could be nearly 0 at some amplitudes. */
-VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
-                                   vm_real theta)
+   where u = j phi + n theta, v = j phi - n theta, and s_j is the Fourier coefficient of sin(j phi) in sa. For a j and an
+   n that are in resonance the second quotient is left out, since v does not vary at the resonance. */
+VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real w,
+                                   vm_real phi, vm_real theta)
 {
     const vm_periodic *p = (const vm_periodic *)periodic;
     const vm_forced *f = &p->oscillator;
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
-    const vm_real step = n->nu / (vm_real)p->periods; /* nu/Q: j w and n nu are whole multiples of it */
     vm_complex vibration[2 * VMI_FORCED_HARMONICS], force[VM_PERIODIC_HARMONICS + 1];
     vm_real sa, ca, sum = 0;
     int i, k;
@@ -21210,13 +21221,13 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
     vmi_c_turns(VM_PERIODIC_HARMONICS, theta, force);
     for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
         const int j = 2 * i + 1;
+        const vm_real rate = (vm_real)j * w;
         for (k = 0; k <= VM_PERIODIC_HARMONICS; k++) {
-            const int rate = j * p->vibrations, turn = k * p->periods; /* j w and n nu, divided by nu/Q */
             const vm_complex u = vmi_c_times(vibration[j], force[k]);
             const vm_complex v = vmi_c_times(vibration[j], vmi_c_conjugate(force[k]));
-            const vm_real a = p->cosine[k], b = k > 0 ? p->sine[k] : 0;
-            sum += f->s[i] / 2 * (a * u.re + b * u.im) / ((vm_real)(rate + turn) * step);
-            if (rate != turn) sum += f->s[i] / 2 * (a * v.re - b * v.im) / ((vm_real)(rate - turn) * step);
+            const vm_real a = p->cosine[k], b = k > 0 ? p->sine[k] : 0, turn = (vm_real)k * n->nu;
+            sum += f->s[i] / 2 * (a * u.re + b * u.im) / (rate + turn);
+            if (k == 0 || k != vmi_periodic_partner(p, j)) sum += f->s[i] / 2 * (a * v.re - b * v.im) / (rate - turn);
         }
     }
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om) * sum;
@@ -21235,7 +21246,9 @@ VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_rea
     const vm_real theta = motion[2];
     vm_real A, phi;
     if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
-    if (!status) status = vmi_forced_split(&p->oscillator, &n, vmi_periodic_ripple, p, motion, &A, &phi);
+    if (!status)
+        status = vmi_forced_split(&p->oscillator, &n, vmi_periodic_ripple, p, vmi_periodic_frequency(p, n.nu), motion, &A,
+                                  &phi);
     if (status) return status;
     y[0] = A;
     y[1] = phi - vmi_periodic_frequency(p, theta);
@@ -21664,8 +21677,7 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 /* The numbers of one body at one time that the averaged equations contain */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
-    vm_real share; /* P_i W at the resonance, where W is the mean of w_0/P_0 and w_1/P_1; w where no resonance is given,
-                      rad/s */
+    vm_real rate;  /* the frequency by which the ripple is computed: w, or the one of vmi_grounded_tune */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
     vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* turns[k] is e^(i k phi) with the imaginary unit i */
@@ -21682,15 +21694,22 @@ VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_no
         b[i].w = VM_PI / f->pi * b[i].Om;
         b[i].pull = p->spring * A[i];
         b[i].drag = p->damper * 2 * b[i].Om * A[i] / (f->alpha + 1);
-        b[i].share = b[i].w;
+        b[i].rate = b[i].w;
         vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, phi[i], b[i].turns);
     }
-    if (p->vibrations[0] > 0) {
-        const vm_real first = (vm_real)p->vibrations[0], second = (vm_real)p->vibrations[1];
-        const vm_real common = (b[0].w / first + b[1].w / second) / 2;
-        b[0].share = first * common;
-        b[1].share = second * common;
-    }
+}
+
+/* Replaces the frequencies by which the ripple is computed by those at the resonance, P_0 W and P_1 W, where W is the
+   mean of w_0/P_0 and w_1/P_1. No divisor of the ripple is then smaller than W. Does nothing if no resonance is given.
+   */
+VM_API void vmi_grounded_tune(const vm_grounded_pair *p, vmi_grounded_body *b)
+{
+    const vm_real first = (vm_real)p->vibrations[0], second = (vm_real)p->vibrations[1];
+    vm_real common;
+    if (p->vibrations[0] == 0) return;
+    common = (b[0].w / first + b[1].w / second) / 2;
+    b[0].rate = first * common;
+    b[1].rate = second * common;
 }
 
 /* Writes the sums S_i and C_i of the averaged equations at the top of this file for the body i. */
@@ -21751,8 +21770,7 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
        + (kappa A_o c_n cos u + c V_o s_n sin u)/(j w_i - n w_o)]    by the other body,
    where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The quotient with j w_i - n w_o is left out for those j and n
-   for which j P_i = n P_o, since u then varies slowly. For all others j w_i - n w_o must not be nearly 0. Therefore w_i
-   is not the frequency of the free vibration here, but the field `share` of vmi_grounded_body. */
+   for which j P_i = n P_o, since u then varies slowly. The frequencies w_i and w_o are the fields `rate`. */
 VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded_now *now, const vmi_grounded_body *b,
                                    const vm_real *A, const vm_real *phi, int i)
 {
@@ -21769,7 +21787,7 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
             const vm_complex v = vmi_c_times(b[i].turns[J], o->turns[N]);
             const vm_complex u = vmi_c_times(b[i].turns[J], vmi_c_conjugate(o->turns[N]));
             const vm_real spring = o->pull * other->c[n], damper = o->drag * other->s[n];
-            const vm_real own_rate = (vm_real)J * b[i].share, other_rate = (vm_real)N * o->share;
+            const vm_real own_rate = (vm_real)J * b[i].rate, other_rate = (vm_real)N * o->rate;
             sum += f->s[j] / 2 * (spring * v.re - damper * v.im) / (own_rate + other_rate);
             if (p->vibrations[0] > 0 && J * p->vibrations[i] == N * p->vibrations[1 - i]) continue;
             sum += f->s[j] / 2 * (spring * u.re + damper * u.im) / (own_rate - other_rate);
@@ -21798,8 +21816,9 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
         phi[i] *= VM_PI / f->pi;
         A[i] = exact[i];
     }
-    for (step = 0; step < 3; step++) {
+    for (step = 0; step < 6; step++) {
         vmi_grounded_bodies(p, &now, A, phi, b);
+        if (step < 3) vmi_grounded_tune(p, b); /* A divisor of the ripple may be nearly 0 at the exact amplitudes. */
         for (i = 0; i < 2; i++) ripple[i] = vmi_grounded_ripple(p, &now, b, A, phi, i);
         for (i = 0; i < 2; i++) A[i] = exact[i] - ripple[i];
         if (!(A[0] > 0) || !(A[1] > 0) || !vmi_all_finite(2, A)) return VM_DOMAIN;

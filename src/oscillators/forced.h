@@ -235,13 +235,14 @@ VM_API int vm_forced_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, vo
      q A sa ca/((alpha+3) Om) + F/(m Om nu) sum of s[j]/2 (cos(n phi + theta)/(n + 1) + cos(n phi - theta)/(n - 1))
    with n = 2j + 1, with q of vmi_forced_q, and with F as the amplitude of the force. For n = 1 the function leaves out
    cos(n phi - theta)/(n - 1), since phi - theta does not vary within a period at the resonance. */
-VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters *n, vm_real A, vm_real phi,
+VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters *n, vm_real A, vm_real w, vm_real phi,
                                  vm_real theta)
 {
     const vm_forced *f = (const vm_forced *)forced;
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
     vm_real sa, ca, sum = 0, unused, plus, minus;
     int j;
+    (void)w; /* nu, as at the resonance */
     ateb_saca(phi * (f->pi / VM_PI), f->alpha, &sa, &ca);
     for (j = 0; j < VMI_FORCED_HARMONICS; j++) {
         const vm_real order = (vm_real)(2 * j + 1);
@@ -254,25 +255,38 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om * n->nu) * sum;
 }
 
-/* A function that returns the ripple of the amplitude for one kind of force; `object` points to the oscillator with its
-   force. */
-typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real phi,
-                                       vm_real theta);
+/* A function that returns the ripple of the amplitude for one kind of force, for the mean amplitude A, the frequency w
+   and the phase phi of the vibration, and the phase theta of the force; `object` points to the oscillator with its force.
+   */
+typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real w,
+                                       vm_real phi, vm_real theta);
 
-/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Three iterations solve A + ripple(A)
-   = exact, where `exact` is the amplitude at this instant. Returns VM_NOT_FINITE where the exact amplitude overflows,
-   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or three iterations are not enough. */
-VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
-                            const void *object, const vm_real *motion, vm_real *A, vm_real *phi)
+/* Returns the ripple for the frequency of the free vibration of amplitude A. */
+VM_API vm_real vmi_forced_free_ripple(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
+                                      const void *object, vm_real A, vm_real phi, vm_real theta)
 {
-    vm_real exact, mean;
+    return ripple(object, n, A, vmi_forced_natural(f, n, A), phi, theta);
+}
+
+/* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Six iterations solve A + ripple(A) =
+   exact, where `exact` is the amplitude at this instant. The first three use the frequency `resonance`, rad/s, that the
+   vibration has at the resonance. The divisors of the ripple are then not small; with the frequency of the free
+   vibration they may be nearly 0 at the exact amplitude, although they are not at the mean one. Returns VM_NOT_FINITE where the exact amplitude overflows,
+   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or six iterations are not enough. */
+VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
+                            const void *object, vm_real resonance, const vm_real *motion, vm_real *A, vm_real *phi)
+{
+    const vm_real theta = motion[2];
+    vm_real exact, mean, again;
     int i;
     vmi_slow_phase(motion[0], motion[1], n->k, n->mass, f->alpha, &exact, phi);
     if (!VM_IS_FINITE(exact)) return VM_NOT_FINITE;
     *phi *= VM_PI / f->pi;
     mean = exact;
-    for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, *phi, motion[2]);
-    if (!(mean > 0) || !vmi_slow_is_solved(mean + ripple(object, n, mean, *phi, motion[2]), exact)) return VM_DOMAIN;
+    for (i = 0; i < 3; i++) mean = exact - ripple(object, n, mean, resonance, *phi, theta);
+    for (i = 0; i < 3; i++) mean = exact - vmi_forced_free_ripple(f, n, ripple, object, mean, *phi, theta);
+    again = mean + vmi_forced_free_ripple(f, n, ripple, object, mean, *phi, theta);
+    if (!(mean > 0) || !vmi_slow_is_solved(again, exact)) return VM_DOMAIN;
     *A = mean;
     return VM_OK;
 }
@@ -282,7 +296,7 @@ VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, 
 VM_API int vmi_forced_join(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                            const void *object, vm_real mean, vm_real phi, vm_real theta, vm_real *motion)
 {
-    const vm_real A = mean + ripple(object, n, mean, phi, theta);
+    const vm_real A = mean + vmi_forced_free_ripple(f, n, ripple, object, mean, phi, theta);
     vm_real r[3];
     if (!(mean > 0) || !(A >= 0)) return VM_DOMAIN;
     vmi_slow_motion(A, phi * (f->pi / VM_PI), n->k, n->mass, f->alpha, &r[0], &r[1]);
@@ -303,7 +317,7 @@ VM_API int vm_forced_to_averaged(const vm_forced *f, vm_real t, const vm_real *m
     const vm_real theta = motion[2];
     vm_real A, phi;
     if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
-    if (!status) status = vmi_forced_split(f, &n, vmi_forced_ripple, f, motion, &A, &phi);
+    if (!status) status = vmi_forced_split(f, &n, vmi_forced_ripple, f, n.nu, motion, &A, &phi);
     if (status) return status;
     y[0] = A;
     y[1] = phi - theta;

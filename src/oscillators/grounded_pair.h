@@ -140,8 +140,7 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 /* The numbers of one body at one time that the averaged equations contain */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
-    vm_real share; /* P_i W at the resonance, where W is the mean of w_0/P_0 and w_1/P_1; w where no resonance is given,
-                      rad/s */
+    vm_real rate;  /* the frequency by which the ripple is computed: w, or the one of vmi_grounded_tune */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
     vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* turns[k] is e^(i k phi) with the imaginary unit i */
@@ -158,15 +157,22 @@ VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_no
         b[i].w = VM_PI / f->pi * b[i].Om;
         b[i].pull = p->spring * A[i];
         b[i].drag = p->damper * 2 * b[i].Om * A[i] / (f->alpha + 1);
-        b[i].share = b[i].w;
+        b[i].rate = b[i].w;
         vmi_c_turns(2 * VMI_FORCED_HARMONICS - 1, phi[i], b[i].turns);
     }
-    if (p->vibrations[0] > 0) {
-        const vm_real first = (vm_real)p->vibrations[0], second = (vm_real)p->vibrations[1];
-        const vm_real common = (b[0].w / first + b[1].w / second) / 2;
-        b[0].share = first * common;
-        b[1].share = second * common;
-    }
+}
+
+/* Replaces the frequencies by which the ripple is computed by those at the resonance, P_0 W and P_1 W, where W is the
+   mean of w_0/P_0 and w_1/P_1. No divisor of the ripple is then smaller than W. Does nothing if no resonance is given.
+   */
+VM_API void vmi_grounded_tune(const vm_grounded_pair *p, vmi_grounded_body *b)
+{
+    const vm_real first = (vm_real)p->vibrations[0], second = (vm_real)p->vibrations[1];
+    vm_real common;
+    if (p->vibrations[0] == 0) return;
+    common = (b[0].w / first + b[1].w / second) / 2;
+    b[0].rate = first * common;
+    b[1].rate = second * common;
 }
 
 /* Writes the sums S_i and C_i of the averaged equations at the top of this file for the body i. */
@@ -227,8 +233,7 @@ VM_API int vm_grounded_pair_averaged_rhs(vm_real t, const vm_real *y, vm_real *d
      1/(m Om) times the sum over j and n of s_j/2 [(kappa A_o c_n cos v - c V_o s_n sin v)/(j w_i + n w_o)
        + (kappa A_o c_n cos u + c V_o s_n sin u)/(j w_i - n w_o)]    by the other body,
    where v = j phi_i + n phi_o and u = j phi_i - n phi_o. The quotient with j w_i - n w_o is left out for those j and n
-   for which j P_i = n P_o, since u then varies slowly. For all others j w_i - n w_o must not be nearly 0. Therefore w_i
-   is not the frequency of the free vibration here, but the field `share` of vmi_grounded_body. */
+   for which j P_i = n P_o, since u then varies slowly. The frequencies w_i and w_o are the fields `rate`. */
 VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded_now *now, const vmi_grounded_body *b,
                                    const vm_real *A, const vm_real *phi, int i)
 {
@@ -245,7 +250,7 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
             const vm_complex v = vmi_c_times(b[i].turns[J], o->turns[N]);
             const vm_complex u = vmi_c_times(b[i].turns[J], vmi_c_conjugate(o->turns[N]));
             const vm_real spring = o->pull * other->c[n], damper = o->drag * other->s[n];
-            const vm_real own_rate = (vm_real)J * b[i].share, other_rate = (vm_real)N * o->share;
+            const vm_real own_rate = (vm_real)J * b[i].rate, other_rate = (vm_real)N * o->rate;
             sum += f->s[j] / 2 * (spring * v.re - damper * v.im) / (own_rate + other_rate);
             if (p->vibrations[0] > 0 && J * p->vibrations[i] == N * p->vibrations[1 - i]) continue;
             sum += f->s[j] / 2 * (spring * u.re + damper * u.im) / (own_rate - other_rate);
@@ -274,8 +279,9 @@ VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, co
         phi[i] *= VM_PI / f->pi;
         A[i] = exact[i];
     }
-    for (step = 0; step < 3; step++) {
+    for (step = 0; step < 6; step++) {
         vmi_grounded_bodies(p, &now, A, phi, b);
+        if (step < 3) vmi_grounded_tune(p, b); /* A divisor of the ripple may be nearly 0 at the exact amplitudes. */
         for (i = 0; i < 2; i++) ripple[i] = vmi_grounded_ripple(p, &now, b, A, phi, i);
         for (i = 0; i < 2; i++) A[i] = exact[i] - ripple[i];
         if (!(A[0] > 0) || !(A[1] > 0) || !vmi_all_finite(2, A)) return VM_DOMAIN;

@@ -236,22 +236,19 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
     return VM_OK;
 }
 
-/* The ripple of the amplitude, which is the exact amplitude minus the mean amplitude, at the phase phi of the vibration
-   and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes and damping, which act
+/* The ripple of the amplitude, which is the exact amplitude minus the mean amplitude, at the frequency w and the phase
+   phi of the vibration and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes and damping, which act
    at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb phase. The force adds F/(m
    Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
-   where u = j phi + n theta, v = j phi - n theta, w = (P/Q) nu, and s_j is the Fourier coefficient of sin(j phi) in sa.
-   For a j and an n that are in resonance the second quotient is left out, since v does not vary at the resonance. For
-   all others |j w - n nu| is at least nu/Q. With the frequency of the free vibration of amplitude A in place of w,
-   j w - n nu could be nearly 0 at some amplitudes. */
-VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real phi,
-                                   vm_real theta)
+   where u = j phi + n theta, v = j phi - n theta, and s_j is the Fourier coefficient of sin(j phi) in sa. For a j and an
+   n that are in resonance the second quotient is left out, since v does not vary at the resonance. */
+VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real w,
+                                   vm_real phi, vm_real theta)
 {
     const vm_periodic *p = (const vm_periodic *)periodic;
     const vm_forced *f = &p->oscillator;
     const vm_real Om = vmi_slow_rate(A, n->k, n->mass, f->alpha);
-    const vm_real step = n->nu / (vm_real)p->periods; /* nu/Q: j w and n nu are whole multiples of it */
     vm_complex vibration[2 * VMI_FORCED_HARMONICS], force[VM_PERIODIC_HARMONICS + 1];
     vm_real sa, ca, sum = 0;
     int i, k;
@@ -260,13 +257,13 @@ VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parame
     vmi_c_turns(VM_PERIODIC_HARMONICS, theta, force);
     for (i = 0; i < VMI_FORCED_HARMONICS; i++) {
         const int j = 2 * i + 1;
+        const vm_real rate = (vm_real)j * w;
         for (k = 0; k <= VM_PERIODIC_HARMONICS; k++) {
-            const int rate = j * p->vibrations, turn = k * p->periods; /* j w and n nu, divided by nu/Q */
             const vm_complex u = vmi_c_times(vibration[j], force[k]);
             const vm_complex v = vmi_c_times(vibration[j], vmi_c_conjugate(force[k]));
-            const vm_real a = p->cosine[k], b = k > 0 ? p->sine[k] : 0;
-            sum += f->s[i] / 2 * (a * u.re + b * u.im) / ((vm_real)(rate + turn) * step);
-            if (rate != turn) sum += f->s[i] / 2 * (a * v.re - b * v.im) / ((vm_real)(rate - turn) * step);
+            const vm_real a = p->cosine[k], b = k > 0 ? p->sine[k] : 0, turn = (vm_real)k * n->nu;
+            sum += f->s[i] / 2 * (a * u.re + b * u.im) / (rate + turn);
+            if (k == 0 || k != vmi_periodic_partner(p, j)) sum += f->s[i] / 2 * (a * v.re - b * v.im) / (rate - turn);
         }
     }
     return vmi_forced_q(f, n) * A / ((f->alpha + 3) * Om) * sa * ca + n->force / (n->mass * Om) * sum;
@@ -285,7 +282,9 @@ VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_rea
     const vm_real theta = motion[2];
     vm_real A, phi;
     if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
-    if (!status) status = vmi_forced_split(&p->oscillator, &n, vmi_periodic_ripple, p, motion, &A, &phi);
+    if (!status)
+        status = vmi_forced_split(&p->oscillator, &n, vmi_periodic_ripple, p, vmi_periodic_frequency(p, n.nu), motion, &A,
+                                  &phi);
     if (status) return status;
     y[0] = A;
     y[1] = phi - vmi_periodic_frequency(p, theta);
