@@ -20650,8 +20650,8 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
 }
 
 /* A function that returns the ripple of the amplitude for one kind of force, for the mean amplitude A, the frequency w
-   and the phase phi of the vibration, and the phase theta of the force; `object` points to the oscillator with its force.
-   */
+   and the phase phi of the vibration, and the phase theta of the force; `object` points to the oscillator with its
+   force. */
 typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real w,
                                        vm_real phi, vm_real theta);
 
@@ -20665,8 +20665,9 @@ VM_API vm_real vmi_forced_free_ripple(const vm_forced *f, const vmi_forced_param
 /* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Six iterations solve A + ripple(A) =
    exact, where `exact` is the amplitude at this instant. The first three use the frequency `resonance`, rad/s, that the
    vibration has at the resonance. The divisors of the ripple are then not small; with the frequency of the free
-   vibration they may be nearly 0 at the exact amplitude, although they are not at the mean one. Returns VM_NOT_FINITE where the exact amplitude overflows,
-   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or six iterations are not enough. */
+   vibration they may be nearly 0 at the exact amplitude, although they are not at the mean one. Returns VM_NOT_FINITE
+   where the exact amplitude overflows, and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or
+   six iterations are not enough. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, vm_real resonance, const vm_real *motion, vm_real *A, vm_real *phi)
 {
@@ -21201,12 +21202,12 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 }
 
 /* The ripple of the amplitude, which is the exact amplitude minus the mean amplitude, at the frequency w and the phase
-   phi of the vibration and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes and damping, which act
-   at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb phase. The force adds F/(m
-   Om) times the sum over j and n of
+   phi of the vibration and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes and
+   damping, which act at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb phase.
+   The force adds F/(m Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
-   where u = j phi + n theta, v = j phi - n theta, and s_j is the Fourier coefficient of sin(j phi) in sa. For a j and an
-   n that are in resonance the second quotient is left out, since v does not vary at the resonance. */
+   where u = j phi + n theta, v = j phi - n theta, and s_j is the Fourier coefficient of sin(j phi) in sa. For a j and
+   an n that are in resonance the second quotient is left out, since v does not vary at the resonance. */
 VM_API vm_real vmi_periodic_ripple(const void *periodic, const vmi_forced_parameters *n, vm_real A, vm_real w,
                                    vm_real phi, vm_real theta)
 {
@@ -21244,11 +21245,11 @@ VM_API int vm_periodic_to_averaged(const vm_periodic *p, vm_real t, const vm_rea
     vmi_forced_parameters n;
     int status = vmi_periodic_at(p, t, &n);
     const vm_real theta = motion[2];
-    vm_real A, phi;
+    vm_real resonance, A, phi;
     if (!vmi_all_finite(3, motion)) status = vmi_first_error(status, VM_NOT_FINITE);
-    if (!status)
-        status = vmi_forced_split(&p->oscillator, &n, vmi_periodic_ripple, p, vmi_periodic_frequency(p, n.nu), motion, &A,
-                                  &phi);
+    if (status) return status;
+    resonance = vmi_periodic_frequency(p, n.nu);
+    status = vmi_forced_split(&p->oscillator, &n, vmi_periodic_ripple, p, resonance, motion, &A, &phi);
     if (status) return status;
     y[0] = A;
     y[1] = phi - vmi_periodic_frequency(p, theta);

@@ -256,8 +256,8 @@ VM_API vm_real vmi_forced_ripple(const void *forced, const vmi_forced_parameters
 }
 
 /* A function that returns the ripple of the amplitude for one kind of force, for the mean amplitude A, the frequency w
-   and the phase phi of the vibration, and the phase theta of the force; `object` points to the oscillator with its force.
-   */
+   and the phase phi of the vibration, and the phase theta of the force; `object` points to the oscillator with its
+   force. */
 typedef vm_real (*vmi_ripple_of_force)(const void *object, const vmi_forced_parameters *n, vm_real A, vm_real w,
                                        vm_real phi, vm_real theta);
 
@@ -271,8 +271,9 @@ VM_API vm_real vmi_forced_free_ripple(const vm_forced *f, const vmi_forced_param
 /* Writes the mean amplitude A and the phase phi, rad, of a motion (x, x', theta). Six iterations solve A + ripple(A) =
    exact, where `exact` is the amplitude at this instant. The first three use the frequency `resonance`, rad/s, that the
    vibration has at the resonance. The divisors of the ripple are then not small; with the frequency of the free
-   vibration they may be nearly 0 at the exact amplitude, although they are not at the mean one. Returns VM_NOT_FINITE where the exact amplitude overflows,
-   and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or six iterations are not enough. */
+   vibration they may be nearly 0 at the exact amplitude, although they are not at the mean one. Returns VM_NOT_FINITE
+   where the exact amplitude overflows, and VM_DOMAIN where A, the exact amplitude minus its ripple, is not positive, or
+   six iterations are not enough. */
 VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, vmi_ripple_of_force ripple,
                             const void *object, vm_real resonance, const vm_real *motion, vm_real *A, vm_real *phi)
 {
