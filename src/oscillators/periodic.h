@@ -237,9 +237,9 @@ VM_API int vm_periodic_averaged_rhs(vm_real t, const vm_real *y, vm_real *dydt, 
 }
 
 /* The ripple of the amplitude, which is the exact amplitude minus the mean amplitude, at the frequency w and the phase
-   phi of the vibration and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes and
-   damping, which act at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb phase.
-   The force adds F/(m Om) times the sum over j and n of
+   phi of the vibration and the phase theta of the force. The function has the type vmi_ripple_of_force. Slow changes
+   and damping, which act at the rate q, give the ripple q A/((alpha+3) Om) sa ca, where Om is the rate of the Ateb
+   phase. The force adds F/(m Om) times the sum over j and n of
      s_j/2 [(a_n cos u + b_n sin u)/(j w + n nu) + (a_n cos v - b_n sin v)/(j w - n nu)],
    where u = j phi + n theta, v = j phi - n theta, and s_j is the Fourier coefficient of sin(j phi) in sa. For a j and
    an n that are in resonance the second quotient is left out, since v does not vary at the resonance. */
