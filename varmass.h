@@ -3643,18 +3643,18 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
 /* Separation of n parts from a body on a fixed axle: *rest is the body that remains on the axle.
    `parts` must contain the motions that the parts have after the separation. The external impulse, if there is one,
    acts during the separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point
-   axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the motion
-   of the rest does not change. With n = 0 no part leaves, and only the impulse acts. If the whole did not turn about
-   the axle before the separation, the axle catches the body at the instant of the separation. The error of the angular
-   velocity is at most 4 eps times H divided by the inertia of the rest about the axle, if rounding of the inputs, the
-   positions included, changes this inertia only by a small part of itself. H is the sum of (J + m d^2) w + m d v over
-   the whole, the parts and the rest, plus the absolute values of the impulse's couple and moment about axle->at. Here
-   m, J and v are the mass, the trace of the inertia and the speed of a body, d is the distance of its mass centre from
-   axle->at, and w is the largest angular velocity of all these bodies. If the rest has little inertia about the axle,
-   this inertia is a small difference of large numbers, and many digits are lost. Returns VM_OK, an error status of
-   vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but
-   would need angular momentum about it. In the last case the rest turns as the whole did. The pointer `rest` may be
-   equal to `whole`. */
+   axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the
+   motion of the rest does not change. With n = 0 no part leaves, and only the impulse acts. If the whole did not
+   turn about the axle before the separation, the axle catches the body at the instant of the separation. Let I be
+   the inertia of the rest about the axle. The error of the angular velocity is at most 4 eps H/I. This holds if
+   rounding of the inputs, positions included, changes I by much less than I. H is the sum of (J + m d^2) w + m d v
+   over the whole, the parts and the rest, plus the absolute values of the impulse's couple and moment about
+   axle->at. Here m, J and v are the mass, the trace of the inertia and the speed of a body, d is the distance of its
+   mass centre from axle->at, and w is the largest angular velocity of all these bodies. If I is small, it is a small
+   difference of large numbers, and many digits are lost. Returns VM_OK, an error status of vm_separate_all,
+   VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but would need
+   angular momentum about it. In the last case the rest turns as the whole did. The pointer `rest` may be equal to
+   `whole`. */
 VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
                                const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
 {
@@ -4077,8 +4077,9 @@ VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
-/* Returns the product x y in two words, and 0 if a factor is 0, even if the other factor has overflowed. If the product
-   is too large for the arithmetic in two words, only its first word is computed. */
+/* Returns the product x y of numbers in two words (vm_two, base/sums.h), and 0 if a factor is 0, even if the other
+   factor has overflowed. If the product is too large for the arithmetic in two words, only its first word is computed.
+   */
 VM_API vm_two vmi_broken_rotor_product(vm_two x, vm_two y)
 {
     vm_two p = vmi_two(0, 0);
@@ -4132,9 +4133,10 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
 
 /* Replaces the matrix m for some time by the matrix for twice this time. m describes how the states z change within
    this time. Row m[j] is the change of the states without torque, if z[j] = 1 and all other z = 0 at the start. The
-   last row of m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E
-   converts the states at the start into the states at the end of the time. The matrix for twice the time is therefore
-   (m + E)^2 - E = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
+   last row of m is the change that the torque causes if all states start from 0. For the formulas, write the states as
+   a row with a last number 1, give m a last column of zeros, and let E be the unit matrix. The product of this row and
+   m + E is then the row at the end of the time. The matrix for twice the time is therefore (m + E)^2 - E = 2 m + m m.
+   The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_two m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_two old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -4241,14 +4243,15 @@ VM_API vm_real vmi_broken_rotor_part(vm_real a, vm_real b)
     return a * b;
 }
 
-/* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
-   The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if there
-   is no coupling and |t| times vmi_broken_rotor_rate exceeds 2. Let w = omega and k = k*. The initial angle is psi0,
-   and its initial rate is rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 =
-   (t - E1)/k. E0 = e^(-kt) is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi.
-   The functions g0, g1, g2 give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is
-   w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. With negative damping or a negative
-   time these functions may overflow, although rate0 and M* are 0. */
+/* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y. The
+   dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if there is no
+   coupling and |t| times vmi_broken_rotor_rate exceeds 2. Let w = omega and k = k*. The initial angle is psi0, and its
+   initial rate is rate0. *g must be the result of vmi_broken_rotor_swing_at for t and omega. Then the angle is psi =
+   psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the derivative of E1. The
+   angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the response of y: each
+   solves G'' + w^2 G = F with G = G' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2.
+   Therefore g2' = g1 and g1' = g0. With negative damping or a negative time these functions may overflow;
+   vmi_broken_rotor_part makes their products with rate0 = 0 or M* = 0 equal to 0 even then. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {
@@ -7509,10 +7512,10 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
    h = |r0 x v0| be the angular momentum, q = sqrt(-beta), and e = sqrt(1 + q^2 h^2) the eccentricity. The body is at
    the pericentre at the time
      T = (|sigma| - ln((1 + q^2 + |sigma| q)/e)/q)/q^2.
-   From there, lengths are in units of |r0|/q^2, and times in units of sqrt(|r0|^3/mu)/q^3. Then beta = -1, and the
-   distance of the pericentre is D = e - 1 = q^2 h^2/(1 + e). The time since T is D s + e G3, and R = D + e G2. No terms
-   of these sums cancel. Let P be the unit vector towards the pericentre, and K the velocity there times D. With
-   w = v0 - sigma r0,
+   In the equations that count s from the pericentre, lengths are in units of |r0|/q^2, and times in units of
+   sqrt(|r0|^3/mu)/q^3; T, h and sigma keep the units from above. Then beta = -1, and the distance of the pericentre is
+   D = e - 1 = q^2 h^2/(1 + e). The time since T is D s + e G3, and R = D + e G2. No terms of these sums cancel. Let P
+   be the unit vector towards the pericentre, and K the velocity there times D. With w = v0 - sigma r0,
      P = ((h^2 - 1) r0 - sigma w)/e,  K = q (h^2 sigma r0 + (h^2 - 1) w)/e,
      q^2 r = (D - G2) P + G1 K,  v/q = ((1 + G2) K - G1 P)/R.
    h and w are computed from the cross product of r0 and v0. On a straight line it is exactly 0, and then e = 1, D = 0,
@@ -7595,7 +7598,7 @@ VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
 typedef struct VM_TAG(vmi_kepler) {
     vm_real distance; /* |r| at s = 0: 1 at the start */
     vm_real sigma;    /* the dot product r v at s = 0 */
-    vm_real beta;     /* 2 - v0^2; the energy per unit mass is -beta/2 */
+    vm_real beta;     /* 2 - v0^2 for the start, -1 for the pericentre; the energy per unit mass is -beta/2 */
     vm_real rest;     /* 1 - beta distance: 1 - beta for the start, the eccentricity e for the pericentre */
 } vmi_kepler;
 
@@ -7668,7 +7671,7 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
 
 /* The pericentre of a hyperbola, with the letters of the equations at the top of mechanics/orbit.h */
 typedef struct VM_TAG(vmi_pericentre) {
-    vmi_kepler orbit;  /* with s counted from the pericentre, in the units used from there */
+    vmi_kepler orbit;  /* with s counted from the pericentre, in the units |r0|/q^2 and sqrt(|r0|^3/mu)/q^3 */
     vm_real time;      /* T */
     vm_real q;         /* sqrt(-beta) */
     vm_vec3 direction; /* P */
@@ -7717,8 +7720,8 @@ VM_API void vmi_move_from_start(const vmi_kepler *o, vm_vec3 start, vm_vec3 rate
 
 /* Computes the position and the velocity at the time t >= 0 with s counted from the pericentre. For a time before the
    passage, the function computes the point that is as long after it, and then changes the sign of G1. The last step of
-   Newton's method may be less than an ulp of s. It is therefore applied to G1 and G2: at s = 40, for example, an ulp
-   of s changes them by up to 40 eps of themselves. */
+   Newton's method may be too small to change s, because s is rounded. It is therefore applied to G1 and G2. At s = 40,
+   for example, the next larger value of s would change them by 32 eps of themselves. */
 VM_API void vmi_move_from_pericentre(const vmi_pericentre *c, vm_real t, vm_vec3 *r, vm_vec3 *v)
 {
     const vm_real passed = (t - c->time) * c->q * (c->q * c->q), since = VM_FABS(passed);
@@ -17460,9 +17463,9 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
     vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);
 }
 
-/* Returns 1 if the amplitude that follows from a mean amplitude with its ripple is within an eighth of the exact
-   amplitude, else 0. The mean amplitude is found by a few iterations, which come so near unless the ripple is about as
-   large as the amplitude. */
+/* Returns 1 if `amplitude`, a mean amplitude plus its ripple, differs from the exact amplitude `exact` by at most
+   exact/8, else 0. A few iterations find the mean amplitude. They come this near, unless the ripple is about as large
+   as the amplitude. */
 VM_API int vmi_slow_is_solved(vm_real amplitude, vm_real exact) { return VM_FABS(amplitude - exact) <= exact / 8; }
 
 #endif
@@ -19581,9 +19584,9 @@ typedef struct VM_TAG(vmi_jeffcott_bracket) {
 
 /* Returns the derivative of ln Q with respect to x = ln(A/first_A), where Q is the invariant A^4 (g^2 + m K_e(A)) and m
    the mass at which the slowly changing radius is A. It is 4 + (1 - g^2/S^2) d(ln K_e)/dx, where S^2 = g^2 + m K_e
-   follows from Q = Q0. The radius follows the mass only as long as this derivative is not 0. Where it is 0, the whirl
-   ends: no radius near A belongs to the next mass. Returns 4 where the slope of K_e overflows, and NaN where it is NaN.
-   */
+   follows from Q = Q0, its value before the change. The radius follows the mass only as long as this derivative is not 0. Where it is 0, the whirl
+   ends: no radius near A belongs to the next mass. Returns 4 where the term after 4 is infinite, as where the slope of
+   K_e overflows or K_e is 0, and NaN where it is NaN. */
 VM_API vm_real vmi_jeffcott_rise(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
@@ -19598,9 +19601,10 @@ VM_API vm_real vmi_jeffcott_rise(vm_real x, void *orbit)
 
 /* Searches for a change of sign of vmi_jeffcott_invariant. The search starts at x = 0, where the value of this function
    is b->at_a, and goes in the direction in which the radius changes with the mass. Each step is twice as long as the
-   step before it, up to a change of the radius by 28 %. A step to an x where the function is NaN is halved, and from
-   then on the steps do not grow. A step across a zero of vmi_jeffcott_rise is shortened to this zero, where the search
-   ends. Returns 1 where a change of sign is found, else 0, also where vmi_jeffcott_rise is NaN. */
+   step before it, until the steps have the length 0.25, which changes the radius by 28 % outwards or 22 % inwards. A
+   step to an x where the function is NaN is halved, and from then on the steps do not grow. A step across a zero of
+   vmi_jeffcott_rise is shortened to this zero, where the search ends. Returns 1 where a change of sign is found, with
+   the interval in *b. Returns 0 otherwise, also where vmi_jeffcott_rise is NaN, or is 0 at the start. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
     const vm_real longest = VM_C(0.25);
@@ -19642,13 +19646,13 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
-   its relative error is then at most 3e-15 (float 3e-6) if the masses have a ratio between 1e-30 and 1e30 (float 1e-9
-   and 1e9). Returns NaN for g != 0 with r != 1 (then use
-   vm_jeffcott_whirl_amplitude, which finds the radius by integration); where the whirl ends before the mass is reached,
-   because A^4 (g^2 + m K_e(A)) has an extremum in A there; for a null pointer; for a rotor without stiffness; and for a
-   radius or masses that are not positive and finite. Two extrema whose radii differ by less than 28 % may be
-   overlooked. */
+   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay =
+   0; its relative error is then at most 3e-15 (float 3e-6) if the masses have a ratio between 1e-30 and 1e30 (float
+   1e-9 and 1e9). Returns NaN for g != 0 with r != 1 (then use vm_jeffcott_whirl_amplitude, which finds the radius
+   by integration); where g^2 + m K_e(A) is not positive at the start; where the whirl ends before the mass reaches
+   `mass`: it ends at a radius A at which the product above, as a function of A with constant m, has an extremum;
+   for a null pointer; for a rotor without stiffness; and for a radius or masses that are not positive and finite.
+   Two extrema whose radii differ by less than 28 % may be overlooked. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -19670,6 +19674,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     o.gyro = r->gyro / o.unit;
     o.mass /= o.unit;
     o.first = o.gyro * o.gyro + first_mass / o.unit * (stiffness / o.unit);
+    if (!(o.first > 0)) return VM_NAN;
     b.at_a = vmi_jeffcott_invariant(0, &o);
     if (b.at_a == 0) return first_A;
     if (b.at_a != b.at_a || !vmi_jeffcott_find_bracket(&o, &b)) return VM_NAN;
@@ -21131,8 +21136,8 @@ VM_API int vmi_periodic_partner(const vm_periodic *p, int j)
     return n;
 }
 
-/* The terms of the sums at one phase delta: harmonic j = 2i + 1 adds order j G_j across to S and G_j along to C. All
-   three numbers of a harmonic are 0 if it is in resonance with no harmonic of the force. */
+/* The terms of the sums at one phase delta. Harmonic j = 2i + 1 of the vibration adds j G[i] across[i] to S, and
+   G[i] along[i] to C. All three numbers of a harmonic are 0 if it is in resonance with no harmonic of the force. */
 typedef struct VM_TAG(vmi_periodic_terms) {
     vm_real G[VMI_FORCED_HARMONICS];      /* G_j at the top of this file */
     vm_real along[VMI_FORCED_HARMONICS];  /* a_n cos(j delta) - b_n sin(j delta) */
@@ -21272,9 +21277,9 @@ VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_r
                            y[2], motion);
 }
 
-/* What the search for steady vibrations needs. S and C are the sums at the top of this file. The search counts phases
-   from an origin. Its results are accurate near a phase where S = 0 if this phase is the origin: the amplitude follows
-   from S, which would otherwise have the rounding error of the phase. */
+/* What the search for steady vibrations needs. S and C are the sums at the top of this file. The amplitude follows from
+   S. Near a phase where S = 0, the rounding error of the phase would cause a large relative error of S. Therefore the
+   search takes such a phase as the origin, and counts phases from there. */
 typedef struct VM_TAG(vmi_periodic_search) {
     const vm_periodic *p;
     vmi_resonance z; /* its field push is F/m here, without the factor G; its field nu is (P/Q) nu, where nu is the
@@ -21347,8 +21352,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
    counted from the origin of the search, with the amplitude A for which A' = 0. The zeros of the excess with A > 0 are
    the steady vibrations. */
 typedef struct VM_TAG(vmi_periodic_excess) {
-    vm_real sum;   /* the excess, which is (w - (P/Q) nu) |S| + limit, or limit where no amplitude has A' = 0 */
-    vm_real limit; /* what the excess tends to for A -> 0. For alpha = 0 it includes w |S|, which is then constant. */
+    vm_real sum;   /* the excess; `limit` where no amplitude has A' = 0 */
+    vm_real limit; /* the part of the excess that does not tend to 0 with A: p C sign(S) with p = q/(alpha+3), and for
+                      alpha = 0 also w |S|, which is then constant */
     vm_real reach; /* a bound of |sum - limit|, which becomes smaller as A does */
 } vmi_periodic_excess;
 
@@ -21452,9 +21458,9 @@ VM_API void vmi_periodic_insert(vmi_periodic_list *list, vm_steady_state state)
 }
 
 /* Inserts the steady vibrations between the phase `outer`, where the excess is at_outer, and the origin of the search,
-   which is a zero of S. The steps are of one degree, near the origin of three tenths of the phase, because the
-   amplitudes there depend on the ratio of the phases. The walk ends where the excess cannot change its sign any more.
-   */
+   which is a zero of S. The steps are one degree long. Near the origin, where this would be too long, each step is
+   three tenths of the phase, because the amplitude varies there as a power of the phase. The walk ends where the excess
+   cannot change its sign any more. */
 VM_API void vmi_periodic_walk(vmi_periodic_search *search, vm_real outer, vm_real at_outer, vmi_periodic_list *list)
 {
     const vm_real degree = VM_COPYSIGN(VM_PI / 180, outer), ratio = VM_C(0.7);
@@ -21506,13 +21512,13 @@ VM_API int vmi_periodic_zeros(vmi_periodic_search *search, vm_real *zeros, int *
 
 /* Steady vibrations under a periodic force, near the resonance, with their amplitudes, phases and stability. All
    parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
-   returns how many there are (this number may be larger than room), or a negative status. The function computes a
-   function of the phase that is 0 for a steady vibration, at phases one degree apart and closer where the amplitudes
-   are small, and looks for its changes of sign. It may therefore miss two vibrations whose phases differ by less than a
-   degree. Such vibrations lie next to a fold of the resonance curve. For a harmonic force use vm_forced_steady_states.
-   The function takes about as long as the computation of 8000 sines. The negative statuses are those of
-   vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0, which the
-   comment of vm_periodic_curve explains. */
+   returns how many there are (this number may be larger than room), or a negative status. The function looks for
+   changes of sign of delta' as a function of the phase, with the amplitude for which A' = 0. It computes delta' at
+   phases that are one degree apart, or closer where the amplitudes are small. It may therefore miss two vibrations
+   whose phases differ by less than a degree. Such vibrations lie next to a fold of the resonance curve. For a harmonic
+   force use vm_forced_steady_states. The function takes about as long as the computation of 8000 sines. The negative
+   statuses are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN
+   for q = 0, which the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
@@ -21678,7 +21684,7 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 /* The numbers of one body at one time that the averaged equations contain */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
-    vm_real rate;  /* the frequency by which the ripple is computed: w, or the one of vmi_grounded_tune */
+    vm_real rate;  /* the frequency with which the ripple is computed: w, or the one of vmi_grounded_tune */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
     vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* turns[k] is e^(i k phi) with the imaginary unit i */
@@ -21700,9 +21706,9 @@ VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_no
     }
 }
 
-/* Replaces the frequencies by which the ripple is computed by those at the resonance, P_0 W and P_1 W, where W is the
-   mean of w_0/P_0 and w_1/P_1. No divisor of the ripple is then smaller than W. Does nothing if no resonance is given.
-   */
+/* Sets the fields `rate`, with which the ripple is computed, to the frequencies P_0 W and P_1 W at the resonance, where
+   W is the mean of w_0/P_0 and w_1/P_1. The absolute value of each divisor of the ripple is then at least W. Does
+   nothing if no resonance is given. */
 VM_API void vmi_grounded_tune(const vm_grounded_pair *p, vmi_grounded_body *b)
 {
     const vm_real first = (vm_real)p->vibrations[0], second = (vm_real)p->vibrations[1];
@@ -21796,12 +21802,12 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
     return A[i] / Om * own + sum / (mass * Om);
 }
 
-/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1,
-   phi_1). A_0 and A_1 are the amplitudes minus their ripple within a period. The statuses are those of
-   vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN. VM_DOMAIN also means that a body
-   is at rest, that an amplitude minus its ripple is not positive, that a ripple is about as large as its amplitude, or
-   that the frequencies are in a resonance that the field `vibrations` does not give. y and motion may be the same
-   array. */
+/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1).
+   A_0 and A_1 are the amplitudes minus their ripple within a period. The statuses are those of vm_grounded_pair_rhs;
+   VM_NOT_FINITE also means that the motion is infinite or NaN. VM_DOMAIN also means that a body is at rest in its
+   equilibrium (x_i = x_i' = 0), that an amplitude minus its ripple is not positive, that a ripple is about as large as
+   its amplitude, or that the frequencies are in a resonance that the field `vibrations` does not give. y and motion may
+   be the same array. */
 VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;
@@ -26504,12 +26510,12 @@ VM_API vm_real vmi_contact_rounding(const vm_contact *contact, const vmi_body_po
     return 8 * VM_EPSILON * (along_normal + vmi_norm_max(p->arm) + contact->radius);
 }
 
-/* After a landing, lets no event of this contact happen until the height has left its rounding errors. The landing
-   leaves the point with almost no velocity along the normal. For some time the height is then smaller than its own
-   rounding errors, which can bring it from above 0 to below 0 although the point does not come down. The integrator
-   ignores the sign of an event function that is not larger than `slack`, but only for the time `quiet`, a small part
-   of a step, which may be too short here. Therefore `quiet` becomes infinite, and `slack` the argument `rounding` if it
-   was smaller. The sign counts again as soon as the height is larger than `slack`. */
+/* After a landing, lets no event of this contact happen as long as rounding errors could decide the sign of the height.
+   The landing leaves the point with almost no velocity along the normal. For some time the height is then smaller than
+   its own rounding errors, which can bring it from above 0 to below 0 although the point does not come down. Usually
+   the integrator ignores this sign while |height| <= `slack`, but only for the time `quiet`, a small part of a step,
+   which may be too short here. Therefore this function sets `quiet` to VM_MAX, and increases `slack` to `rounding` if
+   `slack` is smaller than that. The sign counts again as soon as |height| is larger than `slack`. */
 VM_API void vmi_contact_rests(const vm_event *e, vm_real rounding)
 {
     const vm_scene *s = e->scene;
@@ -26767,10 +26773,11 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
     }
 }
 
-/* Lets rk45_init keep the fields `quiet` and `slack` of the events, by which the integrator ignores the sign of an
-   event function right after its event. If the last run ended at the time t by one of several events that happen
-   together, the new run could otherwise find the others again. After a landing `quiet` is infinite (contact.h); it then
-   stays so in the new run, which could otherwise find a body that rests on the ground landing again. */
+/* Calls rk45_init, but keeps the fields `quiet` and `slack` of some events, which rk45_init would set to 0. With them
+   the integrator ignores the sign of an event function right after its event. They are kept for the events that
+   happened at the time t: if one of several simultaneous events ended the last run there, the new run could otherwise
+   find the rest of them a second time. They are also kept where `quiet` is VM_MAX, that is after a landing (contact.h):
+   a body that rests on the ground could otherwise seem to land again. For all other events `quiet` becomes 0. */
 VM_API int vmi_scene_init_integrator(vm_scene *s, rk45 *r, int n, vm_real t, const vm_real *y, vm_real *work,
                                      const rk45_options *o)
 {

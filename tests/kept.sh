@@ -1,11 +1,12 @@
-# What checks of hours share, which run all tests in other ways than make test. To be sourced once $kept is set, a folder: a test
-# that passed is kept there, so that a run that was broken off goes on where it was. A test stays kept while the code that it
-# runs stays as it is, so that a change of the headers repeats only the tests that it concerns. This code is known by a checksum
-# of three parts: the machine code of the test and of the functions that it reaches, for this machine in double and in float; the
-# files of src/ whose code differs from target to target; and what the tests on boards share.
+# Functions for the checks that take hours and that run all tests in other ways than make test does (tests/cross.sh,
+# tests/sanitize.sh). Set $kept to a folder, then source this file. The folder records each test that has passed, so that a
+# check that was interrupted continues where it stopped. A recorded test is run again only if the code that it runs has changed.
+# This code is known by a checksum of three parts: the machine code of the test and of the functions that it reaches, for this
+# machine in double and in float; the files of src/ whose code differs from target to target; and the files of tests/cross/ and
+# tests/linked.h, which tests on other processors need.
 mkdir -p "$kept" || exit 1
 by_target=$(grep -rlE '^ *# *(if|elif).*(__[A-Z]|FAST_FMA|FLT_EVAL)' src | LC_ALL=C sort)
-by_target_code=$(for file in $by_target; do ${CC:-cc} -fpreprocessed -dD -E -P "$file" 2>/dev/null; done | cksum) # without comments
+by_target_code=$(for file in $by_target; do ${CC:-cc} -fpreprocessed -dD -E -P "$file" 2>/dev/null; done | cksum)
 text=$(cat src/*/*.h tests/cross/* tests/*.h tests/data/*.h tests/hard/* examples/*.h examples/scenes/*.h | cksum)
 
 machine_code() { # machine_code TEST: in both precisions, without optimisation, which takes the least time

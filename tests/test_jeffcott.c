@@ -687,6 +687,15 @@ static vm_real folding_shaft(vm_real rho, vm_real *slope, void *ctx)
     return 1 - s + R(0.27) * s * s;
 }
 
+/* A force away from the centre, with which no circular whirl exists */
+static vm_real repelling_shaft(vm_real rho, vm_real *slope, void *ctx)
+{
+    (void)rho;
+    (void)ctx;
+    *slope = 0;
+    return -1;
+}
+
 /* The radius goes the way on which m A^4 K_e(A) stays constant as the mass changes, also where this product falls with
    A, and it ends at an extremum of A^4 K_e. Without regard to this it jumped to another root of the equation. */
 static void test_extrema(void)
@@ -718,6 +727,8 @@ static void test_extrema(void)
         }
     }
     CHECK(ended && (double)before > 1.02);
+    r.stiffness = repelling_shaft;
+    CHECK(is_nan(vm_jeffcott_amplitude(&r, 1, 1, 2)));
 }
 
 static void test_bad_input(void)

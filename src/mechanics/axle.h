@@ -152,18 +152,18 @@ VM_API int vmi_axle_jump(const vm_axle *axle, const vm_body *body, int n, const 
 /* Separation of n parts from a body on a fixed axle: *rest is the body that remains on the axle.
    `parts` must contain the motions that the parts have after the separation. The external impulse, if there is one,
    acts during the separation. *reaction_or_NULL is the impulse of the axle on the body: `linear` acts at the point
-   axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the motion
-   of the rest does not change. With n = 0 no part leaves, and only the impulse acts. If the whole did not turn about
-   the axle before the separation, the axle catches the body at the instant of the separation. The error of the angular
-   velocity is at most 4 eps times H divided by the inertia of the rest about the axle, if rounding of the inputs, the
-   positions included, changes this inertia only by a small part of itself. H is the sum of (J + m d^2) w + m d v over
-   the whole, the parts and the rest, plus the absolute values of the impulse's couple and moment about axle->at. Here
-   m, J and v are the mass, the trace of the inertia and the speed of a body, d is the distance of its mass centre from
-   axle->at, and w is the largest angular velocity of all these bodies. If the rest has little inertia about the axle,
-   this inertia is a small difference of large numbers, and many digits are lost. Returns VM_OK, an error status of
-   vm_separate_all, VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but
-   would need angular momentum about it. In the last case the rest turns as the whole did. The pointer `rest` may be
-   equal to `whole`. */
+   axle->at, and `couple` is orthogonal to the axle. If the parts keep the motion that they had in the whole, the
+   motion of the rest does not change. With n = 0 no part leaves, and only the impulse acts. If the whole did not
+   turn about the axle before the separation, the axle catches the body at the instant of the separation. Let I be
+   the inertia of the rest about the axle. The error of the angular velocity is at most 4 eps H/I. This holds if
+   rounding of the inputs, positions included, changes I by much less than I. H is the sum of (J + m d^2) w + m d v
+   over the whole, the parts and the rest, plus the absolute values of the impulse's couple and moment about
+   axle->at. Here m, J and v are the mass, the trace of the inertia and the speed of a body, d is the distance of its
+   mass centre from axle->at, and w is the largest angular velocity of all these bodies. If I is small, it is a small
+   difference of large numbers, and many digits are lost. Returns VM_OK, an error status of vm_separate_all,
+   VM_DOMAIN if axle->axis is 0, and VM_NULL_AXIS (> 0) if the rest has no inertia about the axle, but would need
+   angular momentum about it. In the last case the rest turns as the whole did. The pointer `rest` may be equal to
+   `whole`. */
 VM_API int vm_separate_on_axle(const vm_axle *axle, const vm_body *whole, int n, const vm_body *parts,
                                const vm_impulse *external_or_NULL, vm_body *rest, vm_impulse *reaction_or_NULL)
 {

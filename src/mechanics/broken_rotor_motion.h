@@ -64,8 +64,9 @@ VM_API vm_real vmi_broken_rotor_rate(const vmi_broken_rotor_linear *a)
     return VM_FABS(a->k) + VM_C(1.5) * a->omega + VM_SQRT(VM_FABS(a->s * a->coupling));
 }
 
-/* Returns the product x y in two words, and 0 if a factor is 0, even if the other factor has overflowed. If the product
-   is too large for the arithmetic in two words, only its first word is computed. */
+/* Returns the product x y of numbers in two words (vm_two, base/sums.h), and 0 if a factor is 0, even if the other
+   factor has overflowed. If the product is too large for the arithmetic in two words, only its first word is computed.
+   */
 VM_API vm_two vmi_broken_rotor_product(vm_two x, vm_two y)
 {
     vm_two p = vmi_two(0, 0);
@@ -119,9 +120,10 @@ VM_API void vmi_broken_rotor_series(const vmi_broken_rotor_linear *a, vm_real h,
 
 /* Replaces the matrix m for some time by the matrix for twice this time. m describes how the states z change within
    this time. Row m[j] is the change of the states without torque, if z[j] = 1 and all other z = 0 at the start. The
-   last row of m is the change that the torque causes if all states start from 0. Let E be the unit matrix. m + E
-   converts the states at the start into the states at the end of the time. The matrix for twice the time is therefore
-   (m + E)^2 - E = 2 m + m m. The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
+   last row of m is the change that the torque causes if all states start from 0. For the formulas, write the states as
+   a row with a last number 1, give m a last column of zeros, and let E be the unit matrix. The product of this row and
+   m + E is then the row at the end of the time. The matrix for twice the time is therefore (m + E)^2 - E = 2 m + m m.
+   The matrix m + E itself is not stored, because digits of m would be lost in the sum. */
 VM_API void vmi_broken_rotor_double(vm_two m[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED])
 {
     vm_two old[VMI_BROKEN_ROTOR_COUPLED + 1][VMI_BROKEN_ROTOR_COUPLED];
@@ -228,14 +230,15 @@ VM_API vm_real vmi_broken_rotor_part(vm_real a, vm_real b)
     return a * b;
 }
 
-/* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y.
-   The dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if there
-   is no coupling and |t| times vmi_broken_rotor_rate exceeds 2. Let w = omega and k = k*. The initial angle is psi0,
-   and its initial rate is rate0. Then the angle is psi = psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 =
-   (t - E1)/k. E0 = e^(-kt) is the derivative of E1. The angle influences y by the equation y'' + w^2 y = -w^2 s psi.
-   The functions g0, g1, g2 give the response of y: each solves g'' + w^2 g = F with g = g' = 0 at the start, where F is
-   w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2. Therefore g2' = g1 and g1' = g0. With negative damping or a negative
-   time these functions may overflow, although rate0 and M* are 0. */
+/* Advances the states z by the time t with the solution (71), (72), which lacks the coupling term s p^2 omega^2 y. The
+   dissertation [1] writes k* Omega instead of M*, where Omega is M* divided by k*. This function is used if there is no
+   coupling and |t| times vmi_broken_rotor_rate exceeds 2. Let w = omega and k = k*. The initial angle is psi0, and its
+   initial rate is rate0. *g must be the result of vmi_broken_rotor_swing_at for t and omega. Then the angle is psi =
+   psi0 + rate0 E1 + M* E2, where E1 = (1 - e^(-kt))/k and E2 = (t - E1)/k. E0 = e^(-kt) is the derivative of E1. The
+   angle influences y by the equation y'' + w^2 y = -w^2 s psi. The functions g0, g1, g2 give the response of y: each
+   solves G'' + w^2 G = F with G = G' = 0 at the start, where F is w^2 E0 for g0, w^2 E1 for g1 and w^2 E2 for g2.
+   Therefore g2' = g1 and g1' = g0. With negative damping or a negative time these functions may overflow;
+   vmi_broken_rotor_part makes their products with rate0 = 0 or M* = 0 equal to 0 even then. */
 VM_API void vmi_broken_rotor_follow(vm_real t, const vmi_broken_rotor_linear *a, const vmi_broken_rotor_swing *g,
                                     vm_real *z)
 {

@@ -24,10 +24,10 @@
    h = |r0 x v0| be the angular momentum, q = sqrt(-beta), and e = sqrt(1 + q^2 h^2) the eccentricity. The body is at
    the pericentre at the time
      T = (|sigma| - ln((1 + q^2 + |sigma| q)/e)/q)/q^2.
-   From there, lengths are in units of |r0|/q^2, and times in units of sqrt(|r0|^3/mu)/q^3. Then beta = -1, and the
-   distance of the pericentre is D = e - 1 = q^2 h^2/(1 + e). The time since T is D s + e G3, and R = D + e G2. No terms
-   of these sums cancel. Let P be the unit vector towards the pericentre, and K the velocity there times D. With
-   w = v0 - sigma r0,
+   In the equations that count s from the pericentre, lengths are in units of |r0|/q^2, and times in units of
+   sqrt(|r0|^3/mu)/q^3; T, h and sigma keep the units from above. Then beta = -1, and the distance of the pericentre is
+   D = e - 1 = q^2 h^2/(1 + e). The time since T is D s + e G3, and R = D + e G2. No terms of these sums cancel. Let P
+   be the unit vector towards the pericentre, and K the velocity there times D. With w = v0 - sigma r0,
      P = ((h^2 - 1) r0 - sigma w)/e,  K = q (h^2 sigma r0 + (h^2 - 1) w)/e,
      q^2 r = (D - G2) P + G1 K,  v/q = ((1 + G2) K - G1 P)/R.
    h and w are computed from the cross product of r0 and v0. On a straight line it is exactly 0, and then e = 1, D = 0,
@@ -117,7 +117,7 @@ VM_API vmi_stumpff vmi_stumpff_at(vm_real beta, vm_real s)
 typedef struct VM_TAG(vmi_kepler) {
     vm_real distance; /* |r| at s = 0: 1 at the start */
     vm_real sigma;    /* the dot product r v at s = 0 */
-    vm_real beta;     /* 2 - v0^2; the energy per unit mass is -beta/2 */
+    vm_real beta;     /* 2 - v0^2 for the start, -1 for the pericentre; the energy per unit mass is -beta/2 */
     vm_real rest;     /* 1 - beta distance: 1 - beta for the start, the eccentricity e for the pericentre */
 } vmi_kepler;
 
@@ -190,7 +190,7 @@ VM_API vm_real vmi_kepler_reduce(vm_real beta, vm_real t)
 
 /* The pericentre of a hyperbola, with the letters of the equations at the top of mechanics/orbit.h */
 typedef struct VM_TAG(vmi_pericentre) {
-    vmi_kepler orbit;  /* with s counted from the pericentre, in the units used from there */
+    vmi_kepler orbit;  /* with s counted from the pericentre, in the units |r0|/q^2 and sqrt(|r0|^3/mu)/q^3 */
     vm_real time;      /* T */
     vm_real q;         /* sqrt(-beta) */
     vm_vec3 direction; /* P */
@@ -239,8 +239,8 @@ VM_API void vmi_move_from_start(const vmi_kepler *o, vm_vec3 start, vm_vec3 rate
 
 /* Computes the position and the velocity at the time t >= 0 with s counted from the pericentre. For a time before the
    passage, the function computes the point that is as long after it, and then changes the sign of G1. The last step of
-   Newton's method may be less than an ulp of s. It is therefore applied to G1 and G2: at s = 40, for example, an ulp
-   of s changes them by up to 40 eps of themselves. */
+   Newton's method may be too small to change s, because s is rounded. It is therefore applied to G1 and G2. At s = 40,
+   for example, the next larger value of s would change them by 32 eps of themselves. */
 VM_API void vmi_move_from_pericentre(const vmi_pericentre *c, vm_real t, vm_vec3 *r, vm_vec3 *v)
 {
     const vm_real passed = (t - c->time) * c->q * (c->q * c->q), since = VM_FABS(passed);

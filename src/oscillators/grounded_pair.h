@@ -140,7 +140,7 @@ VM_API int vm_grounded_pair_rhs(vm_real t, const vm_real *y, vm_real *dydt, void
 /* The numbers of one body at one time that the averaged equations contain */
 typedef struct VM_TAG(vmi_grounded_body) {
     vm_real Om, w; /* rate of the Ateb phase, 1/s; frequency of the free vibration, rad/s */
-    vm_real rate;  /* the frequency by which the ripple is computed: w, or the one of vmi_grounded_tune */
+    vm_real rate;  /* the frequency with which the ripple is computed: w, or the one of vmi_grounded_tune */
     vm_real pull;  /* kappa A, N: amplitude of the force that this body's motion exerts by the spring */
     vm_real drag;  /* c V, N: amplitude of the force that this motion exerts by the damper */
     vm_complex turns[2 * VMI_FORCED_HARMONICS]; /* turns[k] is e^(i k phi) with the imaginary unit i */
@@ -162,9 +162,9 @@ VM_API void vmi_grounded_bodies(const vm_grounded_pair *p, const vmi_grounded_no
     }
 }
 
-/* Replaces the frequencies by which the ripple is computed by those at the resonance, P_0 W and P_1 W, where W is the
-   mean of w_0/P_0 and w_1/P_1. No divisor of the ripple is then smaller than W. Does nothing if no resonance is given.
-   */
+/* Sets the fields `rate`, with which the ripple is computed, to the frequencies P_0 W and P_1 W at the resonance, where
+   W is the mean of w_0/P_0 and w_1/P_1. The absolute value of each divisor of the ripple is then at least W. Does
+   nothing if no resonance is given. */
 VM_API void vmi_grounded_tune(const vm_grounded_pair *p, vmi_grounded_body *b)
 {
     const vm_real first = (vm_real)p->vibrations[0], second = (vm_real)p->vibrations[1];
@@ -258,12 +258,12 @@ VM_API vm_real vmi_grounded_ripple(const vm_grounded_pair *p, const vmi_grounded
     return A[i] / Om * own + sum / (mass * Om);
 }
 
-/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1,
-   phi_1). A_0 and A_1 are the amplitudes minus their ripple within a period. The statuses are those of
-   vm_grounded_pair_rhs; VM_NOT_FINITE also means that the motion is infinite or NaN. VM_DOMAIN also means that a body
-   is at rest, that an amplitude minus its ripple is not positive, that a ripple is about as large as its amplitude, or
-   that the frequencies are in a resonance that the field `vibrations` does not give. y and motion may be the same
-   array. */
+/* Converts a motion (x_0, x_1, x_0', x_1') of two weakly coupled oscillators to its mean y = (A_0, phi_0, A_1, phi_1).
+   A_0 and A_1 are the amplitudes minus their ripple within a period. The statuses are those of vm_grounded_pair_rhs;
+   VM_NOT_FINITE also means that the motion is infinite or NaN. VM_DOMAIN also means that a body is at rest in its
+   equilibrium (x_i = x_i' = 0), that an amplitude minus its ripple is not positive, that a ripple is about as large as
+   its amplitude, or that the frequencies are in a resonance that the field `vibrations` does not give. y and motion may
+   be the same array. */
 VM_API int vm_grounded_pair_to_averaged(const vm_grounded_pair *p, vm_real t, const vm_real *motion, vm_real *y)
 {
     if (!p || !motion || !y) return VM_BAD_ARGUMENT;

@@ -473,9 +473,9 @@ typedef struct VM_TAG(vmi_jeffcott_bracket) {
 
 /* Returns the derivative of ln Q with respect to x = ln(A/first_A), where Q is the invariant A^4 (g^2 + m K_e(A)) and m
    the mass at which the slowly changing radius is A. It is 4 + (1 - g^2/S^2) d(ln K_e)/dx, where S^2 = g^2 + m K_e
-   follows from Q = Q0. The radius follows the mass only as long as this derivative is not 0. Where it is 0, the whirl
-   ends: no radius near A belongs to the next mass. Returns 4 where the slope of K_e overflows, and NaN where it is NaN.
-   */
+   follows from Q = Q0, its value before the change. The radius follows the mass only as long as this derivative is not 0. Where it is 0, the whirl
+   ends: no radius near A belongs to the next mass. Returns 4 where the term after 4 is infinite, as where the slope of
+   K_e overflows or K_e is 0, and NaN where it is NaN. */
 VM_API vm_real vmi_jeffcott_rise(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
@@ -490,9 +490,10 @@ VM_API vm_real vmi_jeffcott_rise(vm_real x, void *orbit)
 
 /* Searches for a change of sign of vmi_jeffcott_invariant. The search starts at x = 0, where the value of this function
    is b->at_a, and goes in the direction in which the radius changes with the mass. Each step is twice as long as the
-   step before it, up to a change of the radius by 28 %. A step to an x where the function is NaN is halved, and from
-   then on the steps do not grow. A step across a zero of vmi_jeffcott_rise is shortened to this zero, where the search
-   ends. Returns 1 where a change of sign is found, else 0, also where vmi_jeffcott_rise is NaN. */
+   step before it, until the steps have the length 0.25, which changes the radius by 28 % outwards or 22 % inwards. A
+   step to an x where the function is NaN is halved, and from then on the steps do not grow. A step across a zero of
+   vmi_jeffcott_rise is shortened to this zero, where the search ends. Returns 1 where a change of sign is found, with
+   the interval in *b. Returns 0 otherwise, also where vmi_jeffcott_rise is NaN, or is 0 at the start. */
 VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket *b)
 {
     const vm_real longest = VM_C(0.25);
@@ -534,13 +535,13 @@ VM_API int vmi_jeffcott_find_bracket(vmi_jeffcott_orbit *o, vmi_jeffcott_bracket
    The radius was first_A when the mass was mass0; `mass` is the mass after the change. F_z and u must be 0. These
    products stay constant (509):
      A^4 (g^2 + m K_e(A)) for r = 1, which is the square of A^2 (m W - g);   A^4 K_e(A) m^(2r-1) for g = 0.
-   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay = 0;
-   its relative error is then at most 3e-15 (float 3e-6) if the masses have a ratio between 1e-30 and 1e30 (float 1e-9
-   and 1e9). Returns NaN for g != 0 with r != 1 (then use
-   vm_jeffcott_whirl_amplitude, which finds the radius by integration); where the whirl ends before the mass is reached,
-   because A^4 (g^2 + m K_e(A)) has an extremum in A there; for a null pointer; for a rotor without stiffness; and for a
-   radius or masses that are not positive and finite. Two extrema whose radii differ by less than 28 % may be
-   overlooked. */
+   For F_e = k rho^alpha and g = 0 the radius follows vm_osc_amplitude_law with the arguments mass/mass0 and decay =
+   0; its relative error is then at most 3e-15 (float 3e-6) if the masses have a ratio between 1e-30 and 1e30 (float
+   1e-9 and 1e9). Returns NaN for g != 0 with r != 1 (then use vm_jeffcott_whirl_amplitude, which finds the radius
+   by integration); where g^2 + m K_e(A) is not positive at the start; where the whirl ends before the mass reaches
+   `mass`: it ends at a radius A at which the product above, as a function of A with constant m, has an extremum;
+   for a null pointer; for a rotor without stiffness; and for a radius or masses that are not positive and finite.
+   Two extrema whose radii differ by less than 28 % may be overlooked. */
 VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_real mass0, vm_real mass)
 {
     if (!r || !r->stiffness) return VM_NAN;
@@ -562,6 +563,7 @@ VM_API vm_real vm_jeffcott_amplitude(const vm_jeffcott *r, vm_real first_A, vm_r
     o.gyro = r->gyro / o.unit;
     o.mass /= o.unit;
     o.first = o.gyro * o.gyro + first_mass / o.unit * (stiffness / o.unit);
+    if (!(o.first > 0)) return VM_NAN;
     b.at_a = vmi_jeffcott_invariant(0, &o);
     if (b.at_a == 0) return first_A;
     if (b.at_a != b.at_a || !vmi_jeffcott_find_bracket(&o, &b)) return VM_NAN;

@@ -166,8 +166,8 @@ VM_API int vmi_periodic_partner(const vm_periodic *p, int j)
     return n;
 }
 
-/* The terms of the sums at one phase delta: harmonic j = 2i + 1 adds order j G_j across to S and G_j along to C. All
-   three numbers of a harmonic are 0 if it is in resonance with no harmonic of the force. */
+/* The terms of the sums at one phase delta. Harmonic j = 2i + 1 of the vibration adds j G[i] across[i] to S, and
+   G[i] along[i] to C. All three numbers of a harmonic are 0 if it is in resonance with no harmonic of the force. */
 typedef struct VM_TAG(vmi_periodic_terms) {
     vm_real G[VMI_FORCED_HARMONICS];      /* G_j at the top of this file */
     vm_real along[VMI_FORCED_HARMONICS];  /* a_n cos(j delta) - b_n sin(j delta) */
@@ -307,9 +307,9 @@ VM_API int vm_periodic_from_averaged(const vm_periodic *p, vm_real t, const vm_r
                            y[2], motion);
 }
 
-/* What the search for steady vibrations needs. S and C are the sums at the top of this file. The search counts phases
-   from an origin. Its results are accurate near a phase where S = 0 if this phase is the origin: the amplitude follows
-   from S, which would otherwise have the rounding error of the phase. */
+/* What the search for steady vibrations needs. S and C are the sums at the top of this file. The amplitude follows from
+   S. Near a phase where S = 0, the rounding error of the phase would cause a large relative error of S. Therefore the
+   search takes such a phase as the origin, and counts phases from there. */
 typedef struct VM_TAG(vmi_periodic_search) {
     const vm_periodic *p;
     vmi_resonance z; /* its field push is F/m here, without the factor G; its field nu is (P/Q) nu, where nu is the
@@ -382,8 +382,9 @@ VM_API vm_real vmi_periodic_amplitude(const vmi_resonance *z, vm_real S)
    counted from the origin of the search, with the amplitude A for which A' = 0. The zeros of the excess with A > 0 are
    the steady vibrations. */
 typedef struct VM_TAG(vmi_periodic_excess) {
-    vm_real sum;   /* the excess, which is (w - (P/Q) nu) |S| + limit, or limit where no amplitude has A' = 0 */
-    vm_real limit; /* what the excess tends to for A -> 0. For alpha = 0 it includes w |S|, which is then constant. */
+    vm_real sum;   /* the excess; `limit` where no amplitude has A' = 0 */
+    vm_real limit; /* the part of the excess that does not tend to 0 with A: p C sign(S) with p = q/(alpha+3), and for
+                      alpha = 0 also w |S|, which is then constant */
     vm_real reach; /* a bound of |sum - limit|, which becomes smaller as A does */
 } vmi_periodic_excess;
 
@@ -487,9 +488,9 @@ VM_API void vmi_periodic_insert(vmi_periodic_list *list, vm_steady_state state)
 }
 
 /* Inserts the steady vibrations between the phase `outer`, where the excess is at_outer, and the origin of the search,
-   which is a zero of S. The steps are of one degree, near the origin of three tenths of the phase, because the
-   amplitudes there depend on the ratio of the phases. The walk ends where the excess cannot change its sign any more.
-   */
+   which is a zero of S. The steps are one degree long. Near the origin, where this would be too long, each step is
+   three tenths of the phase, because the amplitude varies there as a power of the phase. The walk ends where the excess
+   cannot change its sign any more. */
 VM_API void vmi_periodic_walk(vmi_periodic_search *search, vm_real outer, vm_real at_outer, vmi_periodic_list *list)
 {
     const vm_real degree = VM_COPYSIGN(VM_PI / 180, outer), ratio = VM_C(0.7);
@@ -541,13 +542,13 @@ VM_API int vmi_periodic_zeros(vmi_periodic_search *search, vm_real *zeros, int *
 
 /* Steady vibrations under a periodic force, near the resonance, with their amplitudes, phases and stability. All
    parameters are those at time t. Writes at most `room` vibrations to steady, the smallest amplitudes first, and
-   returns how many there are (this number may be larger than room), or a negative status. The function computes a
-   function of the phase that is 0 for a steady vibration, at phases one degree apart and closer where the amplitudes
-   are small, and looks for its changes of sign. It may therefore miss two vibrations whose phases differ by less than a
-   degree. Such vibrations lie next to a fold of the resonance curve. For a harmonic force use vm_forced_steady_states.
-   The function takes about as long as the computation of 8000 sines. The negative statuses are those of
-   vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0, which the
-   comment of vm_periodic_curve explains. */
+   returns how many there are (this number may be larger than room), or a negative status. The function looks for
+   changes of sign of delta' as a function of the phase, with the amplitude for which A' = 0. It computes delta' at
+   phases that are one degree apart, or closer where the amplitudes are small. It may therefore miss two vibrations
+   whose phases differ by less than a degree. Such vibrations lie next to a fold of the resonance curve. For a harmonic
+   force use vm_forced_steady_states. The function takes about as long as the computation of 8000 sines. The negative
+   statuses are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN
+   for q = 0, which the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;

@@ -118,9 +118,9 @@ VM_API void vmi_slow_phase(vm_real x, vm_real v, vm_real k, vm_real mass, vm_rea
     vm_osc_amplitude_phase(x, v, VM_SQRT(k / mass), alpha, A, psi);
 }
 
-/* Returns 1 if the amplitude that follows from a mean amplitude with its ripple is within an eighth of the exact
-   amplitude, else 0. The mean amplitude is found by a few iterations, which come so near unless the ripple is about as
-   large as the amplitude. */
+/* Returns 1 if `amplitude`, a mean amplitude plus its ripple, differs from the exact amplitude `exact` by at most
+   exact/8, else 0. A few iterations find the mean amplitude. They come this near, unless the ripple is about as large
+   as the amplitude. */
 VM_API int vmi_slow_is_solved(vm_real amplitude, vm_real exact) { return VM_FABS(amplitude - exact) <= exact / 8; }
 
 #endif

@@ -125,12 +125,12 @@ VM_API vm_real vmi_contact_rounding(const vm_contact *contact, const vmi_body_po
     return 8 * VM_EPSILON * (along_normal + vmi_norm_max(p->arm) + contact->radius);
 }
 
-/* After a landing, lets no event of this contact happen until the height has left its rounding errors. The landing
-   leaves the point with almost no velocity along the normal. For some time the height is then smaller than its own
-   rounding errors, which can bring it from above 0 to below 0 although the point does not come down. The integrator
-   ignores the sign of an event function that is not larger than `slack`, but only for the time `quiet`, a small part
-   of a step, which may be too short here. Therefore `quiet` becomes infinite, and `slack` the argument `rounding` if it
-   was smaller. The sign counts again as soon as the height is larger than `slack`. */
+/* After a landing, lets no event of this contact happen as long as rounding errors could decide the sign of the height.
+   The landing leaves the point with almost no velocity along the normal. For some time the height is then smaller than
+   its own rounding errors, which can bring it from above 0 to below 0 although the point does not come down. Usually
+   the integrator ignores this sign while |height| <= `slack`, but only for the time `quiet`, a small part of a step,
+   which may be too short here. Therefore this function sets `quiet` to VM_MAX, and increases `slack` to `rounding` if
+   `slack` is smaller than that. The sign counts again as soon as |height| is larger than `slack`. */
 VM_API void vmi_contact_rests(const vm_event *e, vm_real rounding)
 {
     const vm_scene *s = e->scene;

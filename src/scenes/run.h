@@ -197,10 +197,11 @@ VM_API void vmi_scene_keep_crossings(vm_scene *s)
     }
 }
 
-/* Lets rk45_init keep the fields `quiet` and `slack` of the events, by which the integrator ignores the sign of an
-   event function right after its event. If the last run ended at the time t by one of several events that happen
-   together, the new run could otherwise find the others again. After a landing `quiet` is infinite (contact.h); it then
-   stays so in the new run, which could otherwise find a body that rests on the ground landing again. */
+/* Calls rk45_init, but keeps the fields `quiet` and `slack` of some events, which rk45_init would set to 0. With them
+   the integrator ignores the sign of an event function right after its event. They are kept for the events that
+   happened at the time t: if one of several simultaneous events ended the last run there, the new run could otherwise
+   find the rest of them a second time. They are also kept where `quiet` is VM_MAX, that is after a landing (contact.h):
+   a body that rests on the ground could otherwise seem to land again. For all other events `quiet` becomes 0. */
 VM_API int vmi_scene_init_integrator(vm_scene *s, rk45 *r, int n, vm_real t, const vm_real *y, vm_real *work,
                                      const rk45_options *o)
 {
