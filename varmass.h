@@ -19584,9 +19584,9 @@ typedef struct VM_TAG(vmi_jeffcott_bracket) {
 
 /* Returns the derivative of ln Q with respect to x = ln(A/first_A), where Q is the invariant A^4 (g^2 + m K_e(A)) and m
    the mass at which the slowly changing radius is A. It is 4 + (1 - g^2/S^2) d(ln K_e)/dx, where S^2 = g^2 + m K_e
-   follows from Q = Q0, its value before the change. The radius follows the mass only as long as this derivative is not 0. Where it is 0, the whirl
-   ends: no radius near A belongs to the next mass. Returns 4 where the term after 4 is infinite, as where the slope of
-   K_e overflows or K_e is 0, and NaN where it is NaN. */
+   follows from Q = Q0, its value before the change. The radius follows the mass only as long as this derivative is not
+   0. Where it is 0, the whirl ends: no radius near A belongs to the next mass. Returns 4 where the term after 4 is
+   infinite, as where the slope of K_e overflows or K_e is 0, and NaN where it is NaN. */
 VM_API vm_real vmi_jeffcott_rise(vm_real x, void *orbit)
 {
     const vmi_jeffcott_orbit *o = (const vmi_jeffcott_orbit *)orbit;
