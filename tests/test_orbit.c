@@ -314,7 +314,7 @@ static void test_turn_back(void)
             double error;
             CHECK(vm_orbit(R(way * t), 27, position, velocity, &position, &velocity) == VM_OK);
             error = apart(position, vm_scale(R(r), outwards)) / 3;
-            check_error("turn back", "r", "eps (1 + r)", error / eps / (1 + r), 6, f, r);
+            check_error("turn back", "r", "bound", error / eps / (1 + r), 6, f, r);
             error = apart(vm_scale(R(way / v), velocity), outwards) / 3 * v;
             check_error("turn back", "v", "bound", error / eps / (f + t / (r * r)), 6, f, r);
         }
