@@ -407,10 +407,11 @@ static inline void rotor_mass(fault_object *o)
 /* A rotor on a linear shaft, whose stiffness is a function of a user */
 static inline vm_real faulty_linear_shaft(vm_real rho, vm_real *slope, void *ctx)
 {
+    const vm_real stiffness = fault_value(fault_strikes_nan(), 2);
     (void)rho;
     (void)ctx;
-    *slope = 0;
-    return fault_value(fault_strikes_nan(), 2);
+    *slope = 0 * stiffness;
+    return stiffness;
 }
 static inline void rotor_mass_and_linear_shaft(fault_object *o)
 {

@@ -224,6 +224,8 @@ static void check_shaft_range(void)
         vm_force_shaft(0, most, weak, 0, &fx, &fy);
         CHECK(fx == 0 && fy == -weak);
     }
+    vm_force_shaft(0, VM_EPSILON, VM_MAX / 2, 0, &fx, &fy);
+    CHECK(fx == 0 && fy == -VM_MAX / 2);
     vm_force_shaft(VM_NAN, 1, 2, 0, &fx, &fy);
     CHECK(is_nan(fx) && is_nan(fy));
     vm_force_shaft(1, VM_NAN, 2, 1, &fx, &fy);

@@ -687,6 +687,24 @@ static vm_real folding_shaft(vm_real rho, vm_real *slope, void *ctx)
     return 1 - s + R(0.27) * s * s;
 }
 
+/* The folding shaft, without a stiffness between the two radii to which ctx points */
+static vm_real gapped_shaft(vm_real rho, vm_real *slope, void *ctx)
+{
+    const vm_real *gap = (const vm_real *)ctx;
+    const vm_real stiffness = folding_shaft(rho, slope, NULL);
+    if (rho > gap[0] && rho < gap[1]) return VM_NAN;
+    return stiffness;
+}
+
+/* K_e = rho^-4, so that A^4 K_e does not depend on A, and no change of the mass is possible */
+static vm_real level_shaft(vm_real rho, vm_real *slope, void *ctx)
+{
+    const vm_real s = rho * rho;
+    (void)ctx;
+    *slope = -4 / (s * s * rho);
+    return 1 / (s * s);
+}
+
 /* A force away from the centre, with which no circular whirl exists */
 static vm_real repelling_shaft(vm_real rho, vm_real *slope, void *ctx)
 {
@@ -727,6 +745,16 @@ static void test_extrema(void)
         }
     }
     CHECK(ended && (double)before > 1.02);
+    for (i = 1; i < 40; i++) { /* a stiffness that is NaN near the extremum, where the search may need it or not */
+        vm_real gap[2];
+        gap[0] = R(end) - R(0.001) * (vm_real)i;
+        gap[1] = R(end) + R(0.001);
+        r.stiffness = gapped_shaft;
+        r.stiffness_ctx = gap;
+        CHECK(is_nan(vm_jeffcott_amplitude(&r, first, 1, R(0.9))));
+    }
+    r.stiffness = level_shaft;
+    CHECK(is_nan(vm_jeffcott_amplitude(&r, 1, 1, 2)));
     r.stiffness = repelling_shaft;
     CHECK(is_nan(vm_jeffcott_amplitude(&r, 1, 1, 2)));
 }

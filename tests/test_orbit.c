@@ -294,6 +294,16 @@ static double straight_time(double a, double r)
     return (sqrt(r * (a * r + 2)) - 2 / sqrt(a) * asinh(sqrt(a * r / 2))) / a;
 }
 
+/* At the instant at which a body on a straight line is at the centre, it has no velocity. */
+static void test_centre(void)
+{
+    const vm_vec3 start = {1, 0, 0}, inward = {-50, 0, 0}, none = {0, 0, 0};
+    const vmi_kepler o = {1, -50, 2 - 2500, 2499};
+    const vmi_pericentre c = vmi_pericentre_of(&o, start, none);
+    vm_vec3 r, v;
+    CHECK(vm_orbit(c.time, 1, start, inward, &r, &v) == VM_NOT_FINITE);
+}
+
 /* A body on a straight line comes from the distance 1 with the speed f, turns back at the centre and goes out to the
    distance r, where its speed is v = sqrt(f^2 - 2 + 2/r). Lengths are multiplied by 3, and mu by 27, so that f stays.
    Errors of eps in t, r0 and v0 change the distance by up to eps (1 + r) each, and the velocity by up to
@@ -301,6 +311,7 @@ static double straight_time(double a, double r)
    start, the error was some f^4 eps. */
 static void test_turn_back(void)
 {
+    test_centre();
     const double distances[4] = {.25, 1, 2, 50}, most = PICK(1e150, 1e17);
     double speed;
     int i;

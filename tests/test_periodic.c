@@ -432,12 +432,15 @@ static void test_shifted_force(void)
         for (j = 0; j < 7; j++) {
             vm_periodic p = make_periodic(alphas[i], dampings[j], 0.1, 1, 1, 0.9);
             vm_steady_state one[3], two[8];
-            const int n = vm_forced_steady_states(&p.oscillator, 0, one);
+            int n;
+            if (j % 2) p.oscillator.force = linear(-0.1, 0);
+            n = vm_forced_steady_states(&p.oscillator, 0, one);
             p.cosine[1] = R(0.54030230586813971740);
             p.sine[1] = R(0.84147098480789650665);
             CHECK(n > 0 && vm_periodic_steady_states(&p, 0, 8, two) == n);
             for (k = 0; k < n; k++) {
                 const double turn = (double)(one[k].delta - two[k].delta);
+                CHECK(two[k].delta >= -VM_PI && two[k].delta <= VM_PI);
                 near("shifted", "A", (double)two[k].A, (double)one[k].A, 1e-11, 1e-3);
                 near("shifted", "delta", cos(turn), cos(1), 1e-11, 1e-4);
                 CHECK(one[k].stable == two[k].stable);

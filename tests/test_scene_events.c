@@ -684,6 +684,29 @@ static void check_one_landing(void)
     }
 }
 
+/* Two points fall on floors of their own, one after the other. The landing of the first does not delay the second, nor
+   an event of another contact of the first point. */
+static void check_landings_of_two(void)
+{
+    const vm_vec3 zero = {0, 0, 0};
+    const vm_contact floors[3] = {{{0, 0, 0}, 0, {0, 0, 0}, {0, 1, 0}, 1000, 50},
+                                  {{0, 0, 0}, 0, {0, REAL(-1e-6), 0}, {0, 1, 0}, 1000, 50},
+                                  {{0, 0, 0}, 0, {0, REAL(-1e-5), 0}, {0, 1, 0}, 0, 0}};
+    stage s;
+    int i;
+    stage_clear(&s, 1);
+    for (i = 0; i < 2; i++) {
+        stage_body(&s, vm_scene_body_point(1, stage_vec(0, 1, 0), zero));
+        stage_effect(&s, vm_effect_gravity(i, 1, REAL(-gravity)));
+        stage_effect(&s, vm_effect_contact(i, &floors[i]));
+        stage_event(&s, vm_then_land(vm_event_contact(i, &floors[i])));
+    }
+    stage_event(&s, vm_event_contact(0, &floors[2]));
+    begin(&s);
+    run(&s, 1, VM_OK);
+    CHECK(s.events[0].count == 1 && s.events[1].count == 1 && s.events[2].count >= 1);
+}
+
 /* A point without weight flies to an oblique wall and slides along it. It lands once, although the run has many parts, at
    whose beginnings rounding decides the sign of the height. For a few walls in 2000 the rounding errors of the velocity
    have carried the point away from the wall and back. */
@@ -741,6 +764,7 @@ static void check_later_landings(void)
 int main(void)
 {
     check_one_landing();
+    check_landings_of_two();
     check_landing_in_parts();
     check_later_landings();
     check_list();

@@ -72,7 +72,7 @@ VM_API vm_two vmi_broken_rotor_product(vm_two x, vm_two y)
     vm_two p = vmi_two(0, 0);
     if (x.hi == 0 || y.hi == 0) return p;
     p = vmi_two_times(x, y);
-    if (!VM_IS_FINITE(p.hi) || !VM_IS_FINITE(p.lo)) p = vmi_two(x.hi * y.hi, 0);
+    if (!VM_IS_FINITE(p.hi)) p = vmi_two(x.hi * y.hi, 0); /* p.hi is NaN where p.lo is */
     return p;
 }
 
