@@ -19934,7 +19934,7 @@ VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_
     if (status) return status;
     z = vmi_complex(start[0], start[1]);
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
-    if (!(stiffness > 0) || slope != slope) return VM_BAD_STIFFNESS;
+    if (!(stiffness > 0)) return VM_BAD_STIFFNESS;
     if (slope != 0) return VM_NO_LAW;
     W1 = vmi_jeffcott_root(r->gyro, mass0, stiffness, 1);
     W2 = vmi_jeffcott_root(r->gyro, mass0, stiffness, -1);
@@ -21441,12 +21441,12 @@ typedef struct VM_TAG(vmi_periodic_list) {
     vm_real nu;              /* frequency of the force, rad/s */
 } vmi_periodic_list;
 
-/* Inserts a steady vibration into the list. If the list is full, the vibration with the largest amplitude is dropped.
- */
+/* Inserts a steady vibration into the list, unless its amplitude is below VM_MIN. If the list is full, the vibration
+   with the largest amplitude is dropped. */
 VM_API void vmi_periodic_insert(vmi_periodic_list *list, vm_steady_state state)
 {
     int i = list->found;
-    if (!(state.A > 0)) return;
+    if (!(state.A >= VM_MIN)) return; /* below VM_MIN, A has too few digits for a search */
     if (i > list->room) i = list->room;
     state.nu = list->nu;
     if (state.delta > VM_PI) state.delta -= 2 * VM_PI;
@@ -21515,10 +21515,11 @@ VM_API int vmi_periodic_zeros(vmi_periodic_search *search, vm_real *zeros, int *
    returns how many there are (this number may be larger than room), or a negative status. The function looks for
    changes of sign of delta' as a function of the phase, with the amplitude for which A' = 0. It computes delta' at
    phases that are one degree apart, or closer where the amplitudes are small. It may therefore miss two vibrations
-   whose phases differ by less than a degree. Such vibrations lie next to a fold of the resonance curve. For a harmonic
-   force use vm_forced_steady_states. The function takes about as long as the computation of 8000 sines. The negative
-   statuses are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN
-   for q = 0, which the comment of vm_periodic_curve explains. */
+   whose phases differ by less than a degree. Such vibrations lie next to a fold of the resonance curve. It leaves out
+   vibrations with amplitudes below VM_MIN. For a harmonic force use vm_forced_steady_states. The function takes about
+   as long as the computation of 8000 sines. The negative statuses are those of vm_periodic_rhs. In addition the
+   function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0, which the comment of vm_periodic_curve
+   explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;

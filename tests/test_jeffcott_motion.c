@@ -185,6 +185,14 @@ static void test_large_and_small_masses(void)
     }
 }
 
+static vm_real infinite_shaft(vm_real rho, vm_real *slope, void *ctx)
+{
+    (void)rho;
+    (void)ctx;
+    *slope = 0;
+    return VM_INFINITY;
+}
+
 static void test_refusals(void)
 {
     vm_power_force p = {1, 1}, hard = {1, 3};
@@ -209,6 +217,9 @@ static void test_refusals(void)
     r = good;
     r.stiffness_ctx = &hard;
     CHECK(vm_jeffcott_linear_at(&r, start, 1, motion) == VM_NO_LAW);
+    r.stiffness = infinite_shaft;
+    CHECK(vm_jeffcott_linear_at(&r, start, 1, motion) == VM_NOT_FINITE);
+    r.stiffness = good.stiffness;
     r = good;
     p.k = -1;
     CHECK(vm_jeffcott_whirl_at(&r, 1, 0, 1, 1, &w) == VM_BAD_STIFFNESS);

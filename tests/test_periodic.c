@@ -421,13 +421,13 @@ static void test_b_0(void)
     CHECK(same_bytes(y, z, sizeof y));
 }
 
-/* A harmonic force that is shifted by one radian has the steady vibrations of the force without the shift, with the
-   phases shifted. This holds for dampings so small that S is below the rounding error of the phase, where amplitudes
+/* A harmonic force, and one that is shifted by one radian, has the steady vibrations that vm_forced_steady_states finds,
+   with the phases shifted. This holds for dampings so small that S is below the rounding error of the phase, where amplitudes
    were wrong or missed, and for exponents so small that the amplitudes are. */
 static void test_shifted_force(void)
 {
     static const double alphas[] = {0.25, 0.5, 1, 2, 3, 7}, dampings[] = {3, 0.3, 1e-3, 1e-8, 1e-12, 1e-16, 1e-25};
-    int i, j, k;
+    int i, j, k, shift;
     for (i = 0; i < 6; i++)
         for (j = 0; j < 7; j++) {
             vm_periodic p = make_periodic(alphas[i], dampings[j], 0.1, 1, 1, 0.9);
@@ -435,17 +435,31 @@ static void test_shifted_force(void)
             int n;
             if (j % 2) p.oscillator.force = linear(-0.1, 0);
             n = vm_forced_steady_states(&p.oscillator, 0, one);
-            p.cosine[1] = R(0.54030230586813971740);
-            p.sine[1] = R(0.84147098480789650665);
-            CHECK(n > 0 && vm_periodic_steady_states(&p, 0, 8, two) == n);
-            for (k = 0; k < n; k++) {
-                const double turn = (double)(one[k].delta - two[k].delta);
-                CHECK(two[k].delta >= -VM_PI && two[k].delta <= VM_PI);
-                near("shifted", "A", (double)two[k].A, (double)one[k].A, 1e-11, 1e-3);
-                near("shifted", "delta", cos(turn), cos(1), 1e-11, 1e-4);
-                CHECK(one[k].stable == two[k].stable);
+            for (shift = 0; shift <= 1; shift++) {
+                p.cosine[1] = R(cos(shift));
+                p.sine[1] = R(sin(shift));
+                CHECK(n > 0 && vm_periodic_steady_states(&p, 0, 8, two) == n);
+                for (k = 0; k < n; k++) {
+                    const double turn = (double)(one[k].delta - two[k].delta);
+                    CHECK(two[k].delta >= -VM_PI && two[k].delta <= VM_PI);
+                    near("shifted", "A", (double)two[k].A, (double)one[k].A, 1e-11, 1e-3);
+                    near("shifted", "delta", cos(turn), cos(shift), 1e-11, 1e-4);
+                    CHECK(one[k].stable == two[k].stable);
+                }
             }
         }
+}
+
+/* For exponents near 0 and strong damping the amplitude is below the smallest number; the vibration may be left out. */
+static void test_vanishing_amplitudes(void)
+{
+    double alpha;
+    for (alpha = 0.03; alpha > 0.001; alpha *= 0.9) {
+        vm_periodic p = make_periodic(alpha, 15, 0.02, 1, 1, 0.9);
+        vm_steady_state s;
+        const int n = vm_periodic_steady_states(&p, 0, 1, &s);
+        CHECK(n == 0 || (n == 1 && s.A > 0 && s.A < R(1e-9)));
+    }
 }
 
 /* A linear oscillator has no subharmonic resonance: its vibration has one harmonic only. */
@@ -511,6 +525,7 @@ int main(void)
     test_mean_at_resonances();
     test_b_0();
     test_shifted_force();
+    test_vanishing_amplitudes();
     test_linear_subharmonic();
     test_refusals();
     return check_finish("periodic");

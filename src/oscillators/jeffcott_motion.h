@@ -262,7 +262,7 @@ VM_API int vm_jeffcott_linear_at(const vm_jeffcott *r, const vm_real *start, vm_
     if (status) return status;
     z = vmi_complex(start[0], start[1]);
     stiffness = vmi_jeffcott_stiffness(r, vmi_c_modulus(z), &slope);
-    if (!(stiffness > 0) || slope != slope) return VM_BAD_STIFFNESS;
+    if (!(stiffness > 0)) return VM_BAD_STIFFNESS;
     if (slope != 0) return VM_NO_LAW;
     W1 = vmi_jeffcott_root(r->gyro, mass0, stiffness, 1);
     W2 = vmi_jeffcott_root(r->gyro, mass0, stiffness, -1);
