@@ -7518,8 +7518,8 @@ VM_API int vm_supply_at(const vm_supply *supply, vm_real mass, vm_supply_left *l
    be the unit vector towards the pericentre, and K the velocity there times D. With w = v0 - sigma r0,
      P = ((h^2 - 1) r0 - sigma w)/e,  K = q (h^2 sigma r0 + (h^2 - 1) w)/e,
      q^2 r = (D - G2) P + G1 K,  v/q = ((1 + G2) K - G1 P)/R.
-   h and w are computed from the cross product of r0 and v0. On a straight line it is exactly 0, and then e = 1, D = 0,
-   P = -r0 and K = 0.
+   h and w are computed from the cross product of r0 and v0. On a straight line this product is exactly 0, and then
+   e = 1, D = 0, P = -r0 and K = 0.
 
    For Meshchersky's law let f = 1 + c t, r = f xi and tau = t/f. Then xi, as a function of the time tau, obeys the
    equation for constant mu.
@@ -21538,7 +21538,9 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
     list.steady = steady;
     list.nu = n.nu;
     count = vmi_periodic_zeros(&search, zeros, rises);
-    for (i = 0; i < count; i++) { /* from one zero of S to the next, on the side where S has the sign of -p push */
+    /* Each round searches between two neighbouring zeros of S. Of any two phases that differ by pi, only the one at
+       which S has the sign of -p push belongs to an amplitude; `side` says which one it is. */
+    for (i = 0; i < count; i++) {
         const int is_last = i == count - 1, side = rises[i] == (search.z.push / search.z.p < 0) ? 1 : -1;
         const vm_real left = zeros[i], right = is_last ? zeros[0] : zeros[i + 1];
         const vm_real half = (is_last ? right + VM_PI - left : right - left) / 2;
@@ -26573,10 +26575,10 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 
 /* Lets the body of a vm_event_contact land without a bounce: at the event an impulse takes away the velocity of the
    contact's point along the normal. The other velocities of the body change only by this impulse. Afterwards
-   vm_effect_contact supports the body. The events of this contact can happen again after the height of the body over
-   the ground has been larger than its rounding errors. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact has
-   not made the event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not compute. A
-   run ends with VM_IS_AWAY if the body is not present. */
+   vm_effect_contact supports the body. The events of this contact can happen again after the height of the contact's
+   point, above or below 0, has been larger than its rounding errors. vm_scene_start returns VM_BAD_ARGUMENT if
+   vm_event_contact has not made the event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event
+   does not compute. A run ends with VM_IS_AWAY if the body is not present. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

@@ -30,8 +30,8 @@
    be the unit vector towards the pericentre, and K the velocity there times D. With w = v0 - sigma r0,
      P = ((h^2 - 1) r0 - sigma w)/e,  K = q (h^2 sigma r0 + (h^2 - 1) w)/e,
      q^2 r = (D - G2) P + G1 K,  v/q = ((1 + G2) K - G1 P)/R.
-   h and w are computed from the cross product of r0 and v0. On a straight line it is exactly 0, and then e = 1, D = 0,
-   P = -r0 and K = 0.
+   h and w are computed from the cross product of r0 and v0. On a straight line this product is exactly 0, and then
+   e = 1, D = 0, P = -r0 and K = 0.
 
    For Meshchersky's law let f = 1 + c t, r = f xi and tau = t/f. Then xi, as a function of the time tau, obeys the
    equation for constant mu.

@@ -568,7 +568,9 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
     list.steady = steady;
     list.nu = n.nu;
     count = vmi_periodic_zeros(&search, zeros, rises);
-    for (i = 0; i < count; i++) { /* from one zero of S to the next, on the side where S has the sign of -p push */
+    /* Each round searches between two neighbouring zeros of S. Of any two phases that differ by pi, only the one at
+       which S has the sign of -p push belongs to an amplitude; `side` says which one it is. */
+    for (i = 0; i < count; i++) {
         const int is_last = i == count - 1, side = rises[i] == (search.z.push / search.z.p < 0) ? 1 : -1;
         const vm_real left = zeros[i], right = is_last ? zeros[0] : zeros[i + 1];
         const vm_real half = (is_last ? right + VM_PI - left : right - left) / 2;
