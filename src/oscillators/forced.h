@@ -278,7 +278,7 @@ VM_API int vmi_forced_split(const vm_forced *f, const vmi_forced_parameters *n, 
                             const void *object, vm_real resonance, const vm_real *motion, vm_real *A, vm_real *phi)
 {
     const vm_real theta = motion[2];
-    vm_real exact, mean, again;
+    vm_real exact = 0, mean, again;
     int i;
     vmi_slow_phase(motion[0], motion[1], n->k, n->mass, f->alpha, &exact, phi);
     if (!VM_IS_FINITE(exact)) return VM_NOT_FINITE;
