@@ -226,14 +226,18 @@ static void test_scene(int plane)
 static void refuse_effect(vm_effect e, int status)
 {
     const vm_vec3 zero = vector(0, 0, 0);
-    vm_scene_body bodies[3];
+    vm_scene_body bodies[4];
+    vm_body body;
     vm_scene stage;
     memset(&stage, 0, sizeof stage);
+    memset(&body, 0, sizeof body);
+    body.mass = body.inertia.xx = body.inertia.yy = body.inertia.zz = body.q.w = 1;
     bodies[0] = vm_scene_body_point(1, zero, zero);
     bodies[1] = vm_scene_body_point(1, vector(1, 0, 0), zero);
     bodies[2] = vm_scene_body_line(1, 0, 0);
     stage.bodies = bodies;
-    stage.n_bodies = 3;
+    bodies[3] = vm_scene_body_free(&body);
+    stage.n_bodies = 4;
     stage.effects = &e;
     stage.n_effects = 1;
     CHECK(vm_scene_check(&stage, NULL) == status);
@@ -244,6 +248,8 @@ static void test_refusals(void)
     const vm_vec3 x = vector(1, 0, 0), zero = vector(0, 0, 0);
     vm_vec3 r = vector(7, 7, 7), v = r;
     refuse_effect(vm_effect_gravitation(0, 1, 1), VM_OK);
+    refuse_effect(vm_effect_gravitation(0, 3, 1), VM_OK);
+    refuse_effect(vm_effect_gravitation(3, 0, 1), VM_OK);
     refuse_effect(vm_effect_gravitation(0, VM_GROUND, 1), VM_NO_SUCH_BODY);
     refuse_effect(vm_effect_gravitation(1, 1, 1), VM_SAME_BODY);
     refuse_effect(vm_effect_gravitation(0, 2, 1), VM_BAD_MOTION);

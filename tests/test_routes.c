@@ -585,6 +585,30 @@ static void test_force(void)
 
 /* ---- Against other forms of the equation of motion ---- */
 
+/* A drag that counts its calls in *ctx */
+static vm_real counted_drag(vm_real t, vm_real x, vm_real v, void *ctx)
+{
+    (void)t;
+    (void)x;
+    ++*(long *)ctx;
+    return R(-0.01) * v;
+}
+
+/* Each evaluation of the equation of motion calls the force once. */
+static void test_counted_evaluations(void)
+{
+    vm_osc_problem o = problem(3, vm_law_linear(1, R(0.001)), 1, 0);
+    long calls = 0;
+    int route;
+    o.force = counted_drag;
+    o.ctx = &calls;
+    for (route = VM_ROUTE_COLLOCATION; route <= VM_ROUTE_RK87; route++) {
+        vm_osc_motion m;
+        calls = 0;
+        CHECK(vm_osc_by_route(&o, route, 20, R(by_precision(1e-6, 1e-3)), &m) == VM_OK && calls > 0 && m.evals == calls);
+    }
+}
+
 /* d(m x')/dt = -k x|x|^(alpha-1), (248)-(257): the change of momentum is the impulse of the elastic force. */
 static int momentum_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -1057,11 +1081,12 @@ int main(void)
     test_backward();
     test_late_beginning();
     test_speed();
-    test_evaluations();
+    test_counted_evaluations();
     test_longest_step();
     test_endless();
     test_loose();
     test_force();
+    test_evaluations();
     test_momentum();
     test_waveforms();
     test_sizes();
