@@ -426,10 +426,10 @@ static void test_b_0(void)
    were wrong or missed, and for exponents so small that the amplitudes are. */
 static void test_shifted_force(void)
 {
-    static const double alphas[] = {0.25, 0.5, 1, 2, 3, 7}, dampings[] = {3, 0.3, 1e-3, 1e-8, 1e-12, 1e-16, 1e-25};
+    static const double alphas[] = {0.25, 0.5, 1, 2, 3, 7}, dampings[] = {3, 0.3, 1e-3, 1e-8, 1e-12, 1e-16, 1e-25, 1e-30, 1e-290};
     int i, j, k, shift;
     for (i = 0; i < 6; i++)
-        for (j = 0; j < 7; j++) {
+        for (j = 0; j < (is_float ? 8 : 9); j++) {
             vm_periodic p = make_periodic(alphas[i], dampings[j], 0.1, 1, 1, 0.9);
             vm_steady_state one[3], two[8];
             int n;
@@ -459,6 +459,25 @@ static void test_vanishing_amplitudes(void)
         vm_steady_state s;
         const int n = vm_periodic_steady_states(&p, 0, 1, &s);
         CHECK(n == 0 || (n == 1 && s.A > 0 && s.A < R(1e-9)));
+    }
+}
+
+/* Dampings that are too small for the quotient of force and damping are refused. With smaller and smaller dampings the search
+   ends; the amplitude no longer tends to 0 with the phase where the exponent is nearly 0. */
+static void test_vanishing_damping(void)
+{
+    double alpha;
+    for (alpha = 3; alpha > 1e-20; alpha *= 0.01) {
+        vm_real damping;
+        int refused = 0;
+        for (damping = 1; damping > 0; damping *= R(1e-4)) {
+            vm_periodic p = make_periodic(alpha, (double)damping, 0.1, 1, 1, 0.9);
+            vm_steady_state s;
+            const int n = vm_periodic_steady_states(&p, 0, 1, &s);
+            CHECK(n >= 0 ? !refused : n == VM_DOMAIN);
+            refused = n < 0;
+        }
+        CHECK(refused);
     }
 }
 
@@ -526,6 +545,7 @@ int main(void)
     test_b_0();
     test_shifted_force();
     test_vanishing_amplitudes();
+    test_vanishing_damping();
     test_linear_subharmonic();
     test_refusals();
     return check_finish("periodic");

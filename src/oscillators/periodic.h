@@ -368,6 +368,10 @@ VM_API vmi_periodic_sums vmi_periodic_sums_from(const vmi_periodic_search *s, vm
     return sums;
 }
 
+/* Returns 1 if the phase of a steady vibration determines its amplitude, else 0. It does not if there is neither damping
+   nor a slow change (q = 0), or if these are so weak that the quotient of force and p = q/(alpha+3) overflows. */
+VM_INLINE int vmi_periodic_has_amplitudes(const vmi_resonance *z) { return VM_IS_FINITE(z->push / z->p); }
+
 /* The amplitude for which the averaged equations give A' = 0 if the sum has the value S. This amplitude A follows from
    A w(A) = -S F/(m p), where p is q/(alpha+3), F/m the force per mass, and w(A) the frequency of the free vibration.
    The result is 0 where there is no such amplitude. */
@@ -444,8 +448,9 @@ VM_API vm_steady_state vmi_periodic_state(const vmi_periodic_search *search, vm_
    *steady is the frequency of the force; the frequency in the fields of the oscillator is not used.
    All other parameters are those at time t. Returns the statuses of vm_periodic_rhs. In addition it returns
    VM_NOT_FINITE where delta is not finite, and VM_DOMAIN in two cases: where no steady vibration has this phase, and
-   where q = 0 in the averaged equations. q is 0 if there is neither damping nor a slow change; then the phase does not
-   determine the amplitude. An error leaves *steady as it was. */
+   where q = 0 in the averaged equations, or so small that the quotient of force and q overflows. q is 0 if there is
+   neither damping nor a slow change; then the phase does not determine the amplitude. An error leaves *steady as it
+   was. */
 VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_steady_state *steady)
 {
     if (!p || !steady) return VM_BAD_ARGUMENT;
@@ -456,7 +461,7 @@ VM_API int vm_periodic_curve(const vm_periodic *p, vm_real t, vm_real delta, vm_
     if (status != VM_BAD_ARGUMENT && !VM_IS_FINITE(delta)) status = VM_NOT_FINITE;
     if (status) return status;
     search = vmi_periodic_search_of(p, &n);
-    if (search.z.p == 0) return VM_DOMAIN;
+    if (!vmi_periodic_has_amplitudes(&search.z)) return VM_DOMAIN;
     found = vmi_periodic_state(&search, delta);
     if (!(found.A > 0) || !(found.nu > 0)) return VM_DOMAIN;
     if (!VM_IS_FINITE(found.A) || !VM_IS_FINITE(found.nu) || !VM_IS_FINITE(found.det)) return VM_NOT_FINITE;
@@ -490,7 +495,7 @@ VM_API void vmi_periodic_insert(vmi_periodic_list *list, vm_steady_state state)
 /* Inserts the steady vibrations between the phase `outer`, where the excess is at_outer, and the origin of the search,
    which is a zero of S. The steps are one degree long. Near the origin, where this would be too long, each step is
    three tenths of the phase, because the amplitude varies there as a power of the phase. The walk ends where the excess
-   cannot change its sign any more. */
+   cannot change its sign any more, at the latest where the phase is below VM_MIN. */
 VM_API void vmi_periodic_walk(vmi_periodic_search *search, vm_real outer, vm_real at_outer, vmi_periodic_list *list)
 {
     const vm_real degree = VM_COPYSIGN(VM_PI / 180, outer), ratio = VM_C(0.7);
@@ -505,7 +510,7 @@ VM_API void vmi_periodic_walk(vmi_periodic_search *search, vm_real outer, vm_rea
             vmi_periodic_insert(list, vmi_periodic_state(search, vmi_find_zero(vmi_periodic_excess_sum, search, phase,
                                                                                last, e.sum, before)));
         before = e.sum;
-    } while (e.reach > VM_FABS(e.limit) / 2);
+    } while (e.reach > VM_FABS(e.limit) / 2 && VM_FABS(phase) >= VM_MIN);
 }
 
 /* The sum S at the phase delta, for vmi_find_zero */
@@ -546,10 +551,11 @@ VM_API int vmi_periodic_zeros(vmi_periodic_search *search, vm_real *zeros, int *
    changes of sign of delta' as a function of the phase, with the amplitude for which A' = 0. It computes delta' at
    phases that are one degree apart, or closer where the amplitudes are small. It may therefore miss two vibrations
    whose phases differ by less than a degree. Such vibrations lie next to a fold of the resonance curve. It leaves out
-   vibrations with amplitudes below VM_MIN. For a harmonic force use vm_forced_steady_states. The function takes about
-   as long as the computation of 8000 sines. The negative statuses are those of vm_periodic_rhs. In addition the
-   function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN for q = 0, which the comment of vm_periodic_curve
-   explains. */
+   vibrations with amplitudes below VM_MIN. If q is as small as VM_MIN, it also leaves out vibrations whose phase
+   differs by less than VM_MIN from a phase at which S = 0. For a harmonic force use vm_forced_steady_states. The
+   function takes about as long as the computation of 8000 sines. The negative statuses are those of vm_periodic_rhs. In
+   addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN if q is 0 or very small, as the comment of
+   vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
@@ -561,7 +567,7 @@ VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, 
     const int status = vmi_periodic_at(p, t, &n);
     if (status) return status;
     search = vmi_periodic_search_of(p, &n);
-    if (search.z.p == 0) return VM_DOMAIN;
+    if (!vmi_periodic_has_amplitudes(&search.z)) return VM_DOMAIN;
     if (search.z.push == 0) return 0;
     list.found = 0;
     list.room = room;
