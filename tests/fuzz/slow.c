@@ -57,14 +57,14 @@ static void check_van_der_pol(void)
    damping with c > 0 causes backward in time: there the kit gives up only after 2^24 steps */
 static int vdp_is_tame(const vm_vdp *v, vm_real t, vm_real x, vm_real rate)
 {
-    /* Phases up to t. For alpha >= 1 their rate is largest at the largest amplitude, that of the start or of the cycle; for
-       alpha < 1 at the smallest one, which falls below both where the motion dies out. */
+    /* Phases up to t. For alpha >= 1 their rate is largest at the largest amplitude, that of the start or one to which the
+       motion grows, but not beyond the cycle; for alpha < 1 at the smallest one, to which the motion falls or dies out. */
     const double alpha = (double)v->alpha, square = (double)(v->k / v->mass.f0); /* the square of omega */
-    const double cycle = v->c != 0 ? 2 * sqrt(fabs((double)(v->feed / v->c))) : 0;
+    const double cycle = v->c != 0 && v->feed != 0 ? 2 * sqrt(fabs((double)(v->feed / v->c))) : HUGE_VAL;
     const double by_rate = pow((alpha + 1) / 2 * (double)rate * (double)rate / square, 1 / (alpha + 1));
-    const double start = larger(fabs((double)x), by_rate), largest = larger(cycle, start);
-    const double decay = v->feed * t < 0 ? exp((double)(v->feed * t / v->mass.f0)) : 1;
-    const double smallest = decay * (cycle > 0 && cycle < start ? cycle : start);
+    const double start = larger(fabs((double)x), by_rate), factor = exp((double)(v->feed * t / v->mass.f0));
+    const double largest = larger(start, start * factor < cycle ? start * factor : cycle);
+    const double smallest = (factor < 1 ? factor : 1) * (cycle < start ? cycle : start);
     const double rate_of_phase = sqrt(square * pow(alpha < 1 ? smallest : largest, alpha - 1));
     return rate_of_phase * fabs((double)t) < 3000 && tame_mass(v->mass) && tame(v->k) && tame(v->alpha) &&
            tame(v->feed) && tame(v->c) && tame(v->reactive) && tame(t) && tame(x) && tame(rate) &&
