@@ -276,6 +276,7 @@ static void test_symmetric(void)
         CHECK(jacobi_RD(16 * x, 16 * y, 16 * z) == rd / 64 &&
               jacobi_RG(huge * x, huge * y, huge * z) == VM_SQRT(huge) * rg);
         CHECK(jacobi_RJ(16 * x, 16 * y, 16 * z, 16 * p) == jacobi_RJ(x, y, z, p) / 64);
+        CHECK(ERROR_ULP(jacobi_RJ(p, p, p, p), 1 / ((double)p * sqrt((double)p)), 0) <= 6);
         check_error("R_F", "any order", "ulp", ERROR_ULP(jacobi_RF(z, x, y), (double)rf, 0), 12, (double)x,
                     (double)y);
         check_error("R_D", "any order", "ulp", ERROR_ULP(jacobi_RD(y, x, z), (double)rd, 0), 12, (double)x,

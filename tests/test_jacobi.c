@@ -701,6 +701,7 @@ static void test_kernels(void)
             const double got = (double)vmi_copysign(values[i], values[k]);
             CHECK(got == wanted && !signbit(got) == !signbit(wanted));
         }
+    CHECK(vmi_sum_of_products(1, 1, VM_EPSILON / 4, VM_C(1.5)) == 1); /* the low words change nothing */
     CHECK(vmi_ldexp(1, 30000) == VM_INFINITY && vmi_ldexp(1, -30000) == 0);
     for (i = 0; i < 200; i++) { /* down to subnormal results */
         const vm_real x = (vm_real)(i ? uniform(least - 2, least + 1) : least), base = (vm_real)uniform(0.1, 10);
