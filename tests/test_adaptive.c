@@ -698,6 +698,28 @@ static void test_stiffness(void)
     }
 }
 
+/* The search for stiffness counts a step inside the stability region only if it follows the last step at its edge. */
+static void test_misses_of_stiffness(void)
+{
+    vm_real y0[1] = {0}, work[RK87_WORK(1)], rate = 1000;
+    rk45_options o = {0};
+    rk45 s;
+    int i;
+    o.rtol = o.atol = R(1e-3);
+    for (i = 0; i < METHODS; i++) {
+        int hits = 0, found = 0;
+        CHECK(methods[i].init(&s, relaxation_rhs, &rate, 1, 0, y0, &o, work) == ODE_OK);
+        while (!s.stiff && s.steps < 100000 && methods[i].step(&s) >= 0) {
+            if (s.stiff_hits > hits) {
+                CHECK(s.stiff_misses == 0);
+                found = 1;
+            }
+            hits = s.stiff_hits;
+        }
+        CHECK(s.stiff && found);
+    }
+}
+
 /* y' = -(y - 1 - slope t) + slope: y = 1 + slope t. The errors of the steps are rounding errors alone. */
 static int nearly_constant_rhs(vm_real t, const vm_real *y, vm_real *dydt, void *ctx)
 {
@@ -1059,6 +1081,7 @@ int main(void)
     test_missed_at_stiffness_test();
     test_blow_up_with_h_min();
     test_stiffness();
+    test_misses_of_stiffness();
     test_stiffness_of_rounding();
     test_long_periods();
     test_defaults();

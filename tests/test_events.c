@@ -399,6 +399,31 @@ static void test_bad_events(void)
     CHECK(m->init(&s, uniform_motion, NULL, 1, 0, y0, &o, work) == ODE_BAD_ARGUMENT);
 }
 
+static vm_real clock_reading(vm_real t, const vm_real *y, void *ctx)
+{
+    (void)y;
+    (void)ctx;
+    return t;
+}
+
+/* The state and the time that are moved on purpose, to weigh rounding errors, are moved no further than promised. */
+static void test_moved_values(void)
+{
+    vm_real y0[2] = {1, 2}, work[RK87_WORK(2)], t;
+    ode_event by_state = event(first, NULL, 0, ODE_RECORD), by_time = event(clock_reading, NULL, 0, ODE_RECORD);
+    rk45_options o = with_events(1e-6, NULL, 0);
+    rk45 s;
+    int direction;
+    CHECK(m->init(&s, circle, NULL, 2, 0, y0, &o, work) >= 0 && m->step(&s) >= 0);
+    t = s.t / 2;
+    for (direction = -1; direction <= 1; direction += 2) {
+        const vm_real moved = vmi_event_value_moved(&s, &by_state, R(0.5), 0, direction);
+        const vm_real x = vmi_event_value(&s, &by_state, R(0.5)), rounding = vmi_least_rtol(&s.pair);
+        CHECK(moved != x && VM_FABS(moved - x) <= rounding * (y0[0] + VM_FABS(x) + VM_FABS(s.y[0]) / 2) * R(1.01));
+        CHECK(VM_FABS(vmi_event_value_moved(&s, &by_time, R(0.5), 0, direction) - t) <= 2 * VM_EPSILON * t);
+    }
+}
+
 /* The run ends when an event has happened 4 times, 8 times and so on, for each action, forward and backward; its end is
    infinite. The zeros of cos t are known. */
 static void test_stop_after(int action, double direction)
@@ -841,6 +866,7 @@ int main(void)
             test_stop_after(action, 1);
             test_stop_after(action, -1);
         }
+        test_moved_values();
         test_stop_after_in_a_step();
         test_infinite_end();
         test_large_states();

@@ -610,6 +610,35 @@ static void test_blow_on_rod(void)
     }
 }
 
+/* Two opposite quaternions describe the same attitude. One of these two differs from the other body's only by its w, the other
+   one by all but its w. */
+static void test_opposite_quaternions(void)
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        vm_body a, b, whole, again;
+        memset(&a, 0, sizeof a);
+        a.mass = 2;
+        a.inertia = inertia(1, R(0.1), R(0.2), 2, R(0.3), R(2.5));
+        a.q.w = R(0.6);
+        if (i == 0) a.q.x = R(0.8);
+        else if (i == 1) a.q.y = R(0.8);
+        else a.q.z = R(0.8);
+        b = a;
+        b.r = vector(1, 2, 3);
+        b.omega = vector(3, 1, 2);
+        b.q.w = -a.q.w;
+        CHECK(vm_attach(&a, &b, NULL, &whole) == VM_OK);
+        b.q.w = a.q.w;
+        b.q.x = -a.q.x;
+        b.q.y = -a.q.y;
+        b.q.z = -a.q.z;
+        CHECK(vm_attach(&a, &b, NULL, &again) == VM_OK);
+        CHECK(size_of(vm_sub(whole.omega, again.omega)) < 100 * eps);
+        CHECK(fabs((double)(whole.inertia.yz - again.inertia.yz)) < 100 * eps);
+    }
+}
+
 /* Small moments are not taken for none where they are resolved: a needle along x, and balls so far apart that their
    own inertia is below an eps of the whole's */
 static void test_small_moments(void)
@@ -750,6 +779,7 @@ int main(int argc, char **argv)
     test_small_moments();
     test_collinear_rods();
     test_rods_and_plates();
+    test_opposite_quaternions();
     test_rod_to_point();
     test_outputs_as_inputs();
     return check_finish("jumps");
