@@ -12788,6 +12788,7 @@ VM_API int vmi_osc_averaging_error(const vm_osc_plan *p, const vmi_osc_wave *w, 
    repeats both runs with stricter tolerances until the estimated error is at most the tolerance of the motion.
        vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
        vm_osc_motion motion;
+       method.direct = 1; // vmi_osc_direct_rhs is the equation of motion
        int status = vmi_osc_integrate(&plan, VM_ROUTE_RK87, &method, 10, VM_C(1e-9), &motion); // plan is a vm_osc_plan
    Tests: tests/test_routes.c, tests/test_ladder.c. */
 #ifndef VARMASS_OSCILLATORS_INTEGRATION_H

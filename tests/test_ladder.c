@@ -280,6 +280,28 @@ static vm_real drag(vm_real t, vm_real x, vm_real v, void *ctx)
     return -*(const vm_real *)ctx * R(1 + sin(3 * (double)t)) * v * v * v;
 }
 
+/* A run of the equation of motion, whose mass falls to a ten-thousandth, knows the period at its present time and the
+   rounding error of a time that belongs to so fast a vibration. */
+static void test_run_of_direct_method(void)
+{
+    vmi_osc_method method = vmi_osc_method_rk87(vmi_osc_direct_rhs);
+    const vm_osc_problem o = problem(1, vm_law_exponential(1, R(log(1e-4) / 10)), 1, 0);
+    const vm_real end = 10, omega = 100; /* of the mass 1e-4 */
+    static vmi_osc_run run;
+    vm_osc_motion last;
+    vm_osc_plan plan;
+    CHECK(vm_osc_plan_init(&plan, &o) == VM_OK);
+    method.direct = 1;
+    run.plan = &plan;
+    run.method = &method;
+    run.side = 1;
+    run.s.t = end;
+    CHECK(VM_FABS(vmi_osc_period_now(&run) * omega / (2 * VM_PI) - 1) < R(is_float ? 1e-2 : 1e-11));
+    memset(&last, 0, sizeof last);
+    last.amplitude = R(0.1);
+    CHECK(vmi_osc_run_rounding(&run, end, &last) >= VM_EPSILON * omega * end / 2);
+}
+
 /* With a force the laws' equations are integrated to the default tolerance, and
    the error is that of averaging, which the drag's strength makes some percent */
 static void test_routes_with_force(void)
@@ -373,6 +395,7 @@ int main(void)
     test_slow_vibration();
     test_change_time();
     test_choice();
+    test_run_of_direct_method();
     test_routes_with_force();
     test_averages();
     return check_finish("ladder");
