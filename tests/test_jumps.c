@@ -619,7 +619,7 @@ static void test_opposite_quaternions(void)
         vm_body a, b, whole, again;
         memset(&a, 0, sizeof a);
         a.mass = 2;
-        a.inertia = inertia(1, R(0.1), R(0.2), 2, R(0.3), R(2.5));
+        a.inertia = inertia(1, 0.1, 0.2, 2, 0.3, 2.5);
         a.q.w = R(0.6);
         if (i == 0) a.q.x = R(0.8);
         else if (i == 1) a.q.y = R(0.8);
