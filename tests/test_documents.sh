@@ -1,6 +1,7 @@
 #!/bin/sh
 # No document holds a table without rows or a number that is none, the program that counts instructions fails where it
-# cannot count, docs/validation.md has the rows of its test, and docs/names.md knows every public name of version 0.1.
+# cannot count, docs/validation.md has the rows of its test, docs/names.md knows every public name of version 0.1, and what
+# is written from a text of bench/ has this text.
 # usage: test_documents.sh BUILD_FOLDER, from the top of the project
 build=$1/documents
 . tests/check.sh
@@ -8,6 +9,16 @@ build=$1/documents
 # What every document must satisfy: tests/check_docs.sh says what that is. That the documents are written from today's headers
 # is asked by make check-docs alone.
 check "the documents are sound" sh tests/check_docs.sh .
+
+# A document that is written from a text of bench/ has all its lines, except those with a @name@ that stands for numbers. Else
+# somebody has corrected only the document, and the next make docs would undo this.
+texts_are_kept() { # texts_are_kept FOLDER: with the documents
+    for text in bench/*.md; do
+        document=$1/$(basename "$text" | tr _ -)
+        ! grep -v '@[A-Za-z]*@' "$text" | grep -vxF -f "$document" || return 1
+    done
+}
+check "the documents have the texts of bench/" texts_are_kept docs
 
 # lies, each planted in a copy of the documents, which check_docs.sh must refuse for the reason given
 copy=$build/copy
@@ -26,6 +37,8 @@ lie() { # lie NAME FILE SED REASON [today]
     check "changed: $1" fails cmp -s "$2" "$copy/$2"
     check "found: $1" refused "$4" "$5"
 }
+fresh_copy && sed 's/at each time with little work/at each time/' docs/duffing.md >"$copy/docs/duffing.md"
+check "found: a sentence that only the document has" fails texts_are_kept "$copy/docs"
 lie "a count that is no number" docs/counts.md 's/^| `jacobi_K` | [0-9]*/| `jacobi_K` | -nan/' 'not a number'
 lie "infinity beside a number" docs/counts.md 's/^| `jacobi_K` | [0-9]*/| `jacobi_K` | 12 (inf)/' 'not a number'
 lie "an empty cell" docs/counts.md 's/^| `jacobi_E` | [0-9]*/| `jacobi_E` | /' 'an empty cell'
