@@ -21522,11 +21522,11 @@ VM_API int vmi_periodic_zeros(vmi_periodic_search *search, vm_real *zeros, int *
    changes of sign of delta' as a function of the phase, with the amplitude for which A' = 0. It computes delta' at
    phases that are one degree apart, or closer where the amplitudes are small. It may therefore miss two vibrations
    whose phases differ by less than a degree. Such vibrations lie next to a fold of the resonance curve. It leaves out
-   vibrations with amplitudes below VM_MIN. If q is as small as VM_MIN, it also leaves out vibrations whose phase
-   differs by less than VM_MIN from a phase at which S = 0. For a harmonic force use vm_forced_steady_states. The
-   function takes about as long as the computation of 8000 sines. The negative statuses are those of vm_periodic_rhs. In
-   addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN if q is 0 or very small, as the comment of
-   vm_periodic_curve explains. */
+   vibrations with amplitudes below VM_MIN. It also leaves out vibrations whose phase differs by less than VM_MIN from a
+   phase at which S = 0; there are such vibrations only if q is extremely small. For a harmonic force use
+   vm_forced_steady_states. The function takes about as long as the computation of 8000 sines. The negative statuses are
+   those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN if q is 0 or
+   very small, as the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
@@ -26582,10 +26582,10 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 
 /* Lets the body of a vm_event_contact land without a bounce: at the event an impulse takes away the velocity of the
    contact's point along the normal. The other velocities of the body change only by this impulse. Afterwards
-   vm_effect_contact supports the body. The events of this contact can happen again after the height of the contact's
-   point, above or below 0, has been larger than its rounding errors. vm_scene_start returns VM_BAD_ARGUMENT if
-   vm_event_contact has not made the event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event
-   does not compute. A run ends with VM_IS_AWAY if the body is not present. */
+   vm_effect_contact supports the body. The events of this contact can happen again after the contact's point has been
+   above or below the ground by more than rounding errors. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact
+   has not made the event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not
+   compute. A run ends with VM_IS_AWAY if the body is not present. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;

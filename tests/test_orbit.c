@@ -317,7 +317,6 @@ static void test_centre(void)
    start, the error was some f^4 eps. */
 static void test_turn_back(void)
 {
-    test_centre();
     const double distances[4] = {.25, 1, 2, 50}, most = PICK(1e150, 1e17);
     double speed;
     int i;
@@ -424,6 +423,7 @@ int main(void)
     const double speeds[6] = {.3, .9, 1.2, 1.7038, 1.75, 4};
     int i;
     test_fast();
+    test_centre();
     test_turn_back();
     test_passages();
     for (i = 0; i < 6; i++) {

@@ -1098,13 +1098,13 @@ int main(void)
     test_backward();
     test_late_beginning();
     test_speed();
-    test_counted_evaluations();
+    test_evaluations();
     test_longest_step();
     test_endless();
     test_loose();
     test_force();
     test_smooth_change();
-    test_evaluations();
+    test_counted_evaluations();
     test_momentum();
     test_waveforms();
     test_sizes();

@@ -551,11 +551,11 @@ VM_API int vmi_periodic_zeros(vmi_periodic_search *search, vm_real *zeros, int *
    changes of sign of delta' as a function of the phase, with the amplitude for which A' = 0. It computes delta' at
    phases that are one degree apart, or closer where the amplitudes are small. It may therefore miss two vibrations
    whose phases differ by less than a degree. Such vibrations lie next to a fold of the resonance curve. It leaves out
-   vibrations with amplitudes below VM_MIN. If q is as small as VM_MIN, it also leaves out vibrations whose phase
-   differs by less than VM_MIN from a phase at which S = 0. For a harmonic force use vm_forced_steady_states. The
-   function takes about as long as the computation of 8000 sines. The negative statuses are those of vm_periodic_rhs. In
-   addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN if q is 0 or very small, as the comment of
-   vm_periodic_curve explains. */
+   vibrations with amplitudes below VM_MIN. It also leaves out vibrations whose phase differs by less than VM_MIN from a
+   phase at which S = 0; there are such vibrations only if q is extremely small. For a harmonic force use
+   vm_forced_steady_states. The function takes about as long as the computation of 8000 sines. The negative statuses are
+   those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN if q is 0 or
+   very small, as the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;

@@ -187,10 +187,10 @@ VM_API int vmi_land_check(const vm_scene *s, const vm_event *e)
 
 /* Lets the body of a vm_event_contact land without a bounce: at the event an impulse takes away the velocity of the
    contact's point along the normal. The other velocities of the body change only by this impulse. Afterwards
-   vm_effect_contact supports the body. The events of this contact can happen again after the height of the contact's
-   point, above or below 0, has been larger than its rounding errors. vm_scene_start returns VM_BAD_ARGUMENT if
-   vm_event_contact has not made the event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event
-   does not compute. A run ends with VM_IS_AWAY if the body is not present. */
+   vm_effect_contact supports the body. The events of this contact can happen again after the contact's point has been
+   above or below the ground by more than rounding errors. vm_scene_start returns VM_BAD_ARGUMENT if vm_event_contact
+   has not made the event, and VM_TWO_LINKS if the body has a link or a joint, whose impulses the event does not
+   compute. A run ends with VM_IS_AWAY if the body is not present. */
 VM_API vm_event vm_then_land(vm_event event)
 {
     event.then = vmi_then_land;
