@@ -153,6 +153,7 @@ BENCHES = $(patsubst bench/bench_%.c,%,$(sort $(wildcard bench/bench_*.c))) jaco
 BENCH_PROGRAMS = $(BENCHES:%=build/bench/%)
 bench: $(BENCH_PROGRAMS)
 	@CC="$(CC)" FLAGS="$(CFLAGS)" sh bench/run.sh build/bench build/figures "" $(BENCHES)
+	@$(TODAY) >build/bench/headers
 
 bench-quick: $(BENCH_PROGRAMS)
 	@CC="$(CC)" FLAGS="$(CFLAGS)" sh bench/run.sh build/bench/quick build/bench/quick quick $(BENCHES)
@@ -161,9 +162,10 @@ bench-quick: $(BENCH_PROGRAMS)
 bench-count: build/bench/count/double build/bench/count/float
 	@sh tests/install.sh "command -v valgrind" valgrind && CC="$(CC)" FLAGS="$(CFLAGS)" sh bench/count.sh build/bench/count
 
-# the tables and figures of docs/cost.md from the last `make bench`, which it runs where there was none
+# the tables and figures of docs/cost.md from the last `make bench`, which it runs where these headers were not measured
+TODAY = sh bench/stamp.sh of $(basename $(HEADERS))
 cost:
-	@[ -f build/bench/machine ] || $(MAKE) bench
+	@[ "$$($(TODAY))" = "$$(cat build/bench/headers 2>/dev/null)" ] || $(MAKE) bench
 	@sh bench/cost.sh build/bench build/figures docs/cost.md docs/figures
 	@$(STAMP) cost
 

@@ -143,6 +143,11 @@ COUNT(vm_vdp_plan_init, vm_vdp_plan_init(vdp_plans, self_excited, VM_C(0.5), 0);
 COUNT(vm_vdp_order3_constant, vm_vdp_plan_by_route(vdp_plans, VM_ROUTE_ORDER3, 10 + 300 * p[i], 0, &now); a = now.x)
 COUNT(vm_vdp_order3_growing, vm_vdp_plan_by_route(vdp_plans + 1, VM_ROUTE_ORDER3, 10 + 300 * p[i], 0, &now); a = now.x)
 
+static vm_periodic periodic, sampled;
+static vm_steady_state steady[4];
+COUNT(vm_periodic_from_200_samples, vm_periodic_from_samples(&sampled, CALLS, u); a = sampled.cosine[1])
+COUNT(vm_periodic_steady_states, a = (vm_real)vm_periodic_steady_states(&periodic, 0, 4, steady))
+
 static vm_stream stream;
 static vm_flow flow;
 static vm_real y_flow[VM_FLOW_STATES], dy_flow[VM_FLOW_STATES];
@@ -206,6 +211,18 @@ static void set_up(void)
         self_excited[i].mass = vm_law_linear(1, i ? VM_C(0.002) : 0);
         vm_vdp_plan_init(vdp_plans + i, self_excited + i, VM_C(0.5), 0);
     }
+    periodic.oscillator.alpha = 3;
+    periodic.oscillator.damping = VM_C(0.002);
+    periodic.oscillator.reactive = 1;
+    periodic.oscillator.mass = vm_law_linear(1, 0);
+    periodic.oscillator.stiffness = vm_law_linear(1, 0);
+    periodic.oscillator.frequency = vm_law_linear(VM_C(0.85), 0);
+    periodic.oscillator.force = vm_law_linear(VM_C(0.01), 0);
+    periodic.cosine[1] = 1;
+    periodic.sine[3] = VM_C(0.5);
+    periodic.vibrations = 1;
+    periodic.periods = 1;
+    vm_periodic_init(&periodic);
     flow.streams = &stream;
     flow.n = 1;
     stream.rate = 1;
@@ -287,6 +304,8 @@ int main(void)
                                            count_vm_vdp_plan_init,
                                            count_vm_vdp_order3_constant,
                                            count_vm_vdp_order3_growing,
+                                           count_vm_periodic_from_200_samples,
+                                           count_vm_periodic_steady_states,
                                            count_vm_flow_rhs_1_stream,
                                            count_vm_scene_rhs_no_effect,
                                            count_vm_scene_rhs_3_effects};

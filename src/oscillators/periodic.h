@@ -86,9 +86,9 @@ VM_API int vm_periodic_init(vm_periodic *p)
    and sine of *p. The function computes the coefficients of those harmonics up to the ninth whose order is below n/2.
    All other coefficients become 0. Apart from rounding the result is exact if g has no harmonics of an order >= n/2. g
    may have any shape, such as a rectangular wave. Its harmonics above the ninth are left out, since they excite the
-   vibration only little. The function takes about as long as the computation of 9 n sines. Returns VM_BAD_ARGUMENT for
-   a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise. An error leaves *p
-   as it was. */
+   vibration only little. The function takes about as long as the computation of 20 n sines (docs/counts.md). Returns
+   VM_BAD_ARGUMENT for a null pointer or n < 1, VM_NOT_FINITE for a sample that is infinite or NaN, and VM_OK otherwise.
+   An error leaves *p as it was. */
 VM_API int vm_periodic_from_samples(vm_periodic *p, int n, const vm_real *g)
 {
     int k, i;
@@ -553,9 +553,9 @@ VM_API int vmi_periodic_zeros(vmi_periodic_search *search, vm_real *zeros, int *
    whose phases differ by less than a degree. Such vibrations lie next to a fold of the resonance curve. It leaves out
    vibrations with amplitudes below VM_MIN. It also leaves out vibrations whose phase differs by less than VM_MIN from a
    phase at which S = 0; there are such vibrations only if q is extremely small. For a harmonic force use
-   vm_forced_steady_states. The function takes about as long as the computation of 8000 sines. The negative statuses are
-   those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and VM_DOMAIN if q is 0 or
-   very small, as the comment of vm_periodic_curve explains. */
+   vm_forced_steady_states. The function takes about as long as the computation of 5000 sines (docs/counts.md). The
+   negative statuses are those of vm_periodic_rhs. In addition the function returns VM_BAD_ARGUMENT for room < 0, and
+   VM_DOMAIN if q is 0 or very small, as the comment of vm_periodic_curve explains. */
 VM_API int vm_periodic_steady_states(const vm_periodic *p, vm_real t, int room, vm_steady_state *steady)
 {
     if (!p || !steady || room < 0) return VM_BAD_ARGUMENT;
