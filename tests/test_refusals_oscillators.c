@@ -240,8 +240,10 @@ static int odd_within(trial *a)
 {
     const vm_odd_problem o = odd_problem(a);
     const vm_real t = next(a);
-    a->is_value = 1; /* the amplitude may be none */
-    return vm_odd_within(POINTER(0, &o), t, next(a), OUT(1, vm_odd_motion, 0));
+    vm_odd_motion *motion = OUT(1, vm_odd_motion, 0);
+    const int status = vm_odd_within(POINTER(0, &o), t, next(a), motion);
+    if (status >= 0) motion->amplitude = 0; /* it is NaN if there is none */
+    return status;
 }
 
 static void test_odd_forces(void)
