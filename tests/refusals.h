@@ -15,7 +15,7 @@
 
 enum { NUMBERS = 64, OUTPUT = 8192, STAIN = 0x55 };
 
-static long refusal_rounds = 400; /* how often each function is called with numbers of any size */
+static long refusal_rounds = 400 / ONE_IN; /* how often each function is called with numbers of any size */
 
 /* The program's first argument, if there is one, is another number of rounds. */
 static inline void read_refusal_rounds(int argc, char **argv)
@@ -124,6 +124,7 @@ static inline void check_whole_results(const char *name, int (*call)(trial *), c
     for (i = 0; i < numbers; i++) {
         const vm_real extreme[5] = {0, -good[i], VM_MAX / 2, -VM_MAX / 2, VM_MIN};
         for (k = 0; k < 5; k++) {
+            if ((5 * i + k) % ONE_IN != 0) continue;
             start_trial(&a, good, numbers);
             a.x[i] = extreme[k];
             worked = call(&a) >= 0 || is_untouched(&a);

@@ -176,7 +176,7 @@ static void test_localised_integrals(void)
     static const char *const names[] = {"bump", "narrow bump", "kink"};
     const double T = 1000, root_pi = 1.7724538509055160273, unit = is_float ? 1e-5 : 1e-13;
     int i;
-    for (i = 0; i < 400; i++) {
+    for (i = 0; i < 400 / ONE_IN; i++) {
         localised l;
         vm_law law = vm_law_user(localised_law, &l);
         vm_real integral = 0;
@@ -203,7 +203,7 @@ static void test_slow_vibration(void)
 {
     static const double widths[] = {5, 0.5, 0.05};
     int i, route;
-    for (i = 0; i < 3 && !is_float; i++) {
+    for (i = 0; i < 3 && !is_float; i += ONE_IN) {
         localised l;
         vm_osc_motion strict, m;
         vm_osc_problem o;

@@ -526,7 +526,7 @@ static void test_failing_routes(void)
         while (good_calls < 10000) {
             for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87; route++)
                 if (company != WITH_FORCE || !is_law_of_order(route)) check_failing_route(&o, route);
-            good_calls += 1 + (good_calls > 40 ? good_calls / 8 : 0);
+            good_calls += ONE_IN * (1 + (good_calls > 40 ? good_calls / 8 : 0));
         }
     }
 }
@@ -708,7 +708,7 @@ static void test_failing_odd_forces(void)
     o.stiffness = vm_law_table(6, knots, at_knots);
     with_law.mass = vm_law_user(failing_law, NULL);
     with_law.stiffness = o.stiffness;
-    for (good_calls = 0; good_calls < 1500; good_calls += 1 + good_calls / 20) {
+    for (good_calls = 0; good_calls < 1500; good_calls += ONE_IN * (1 + good_calls / 20)) {
         calls = 0;
         status = vm_odd_exact_from(&force, 1, R(0.1), R(0.2), &x, &v);
         CHECK(calls > good_calls ? status < 0 && x == 7 : status == VM_OK);
@@ -745,7 +745,7 @@ static void test_failing_van_der_pol(void)
     }
     v[1].mass = v[0].stiffness = vm_law_table(6, knots, at_knots);
     for (i = 0; i < 2; i++)
-        for (good_calls = 0; good_calls < 1500; good_calls += 1 + good_calls / 20)
+        for (good_calls = 0; good_calls < 1500; good_calls += ONE_IN * (1 + good_calls / 20))
             for (k = 0; k < 6; k++) {
                 const vm_real t = (good_calls + k) % 2 == 0 ? 25 : -15;
                 calls = 0;
@@ -774,7 +774,7 @@ static void test_failing_forced_routes(void)
     o.force = weak_force;
     o.mass = vm_law_table(6, knots, at_knots);
     o.stiffness = vm_law_user(failing_law, NULL);
-    for (good_calls = 0; good_calls < 6000; good_calls += 1 + good_calls / 20)
+    for (good_calls = 0; good_calls < 6000; good_calls += ONE_IN * (1 + good_calls / 20))
         for (route = VM_ROUTE_TRIG; route <= VM_ROUTE_RK87 + 1; route++) {
             const vm_real t = (good_calls + route) % 2 == 0 ? 25 : -15;
             calls = 0;

@@ -105,7 +105,7 @@ static void test_stated_errors(void)
 {
     int r, i, k;
     if (is_float) return; /* float holds no second order so long */
-    for (r = 0; r < COUNT(order_rows); r++) {
+    for (r = 0; r < COUNT(order_rows); r += ONE_IN) {
         const order_row *row = order_rows + r;
         double error[LAWS], coarse[LAWS], fine[LAWS], ratio;
         for (i = 0; i < 3 && row->eps[i] > 0; i++) {
@@ -210,6 +210,7 @@ static void test_estimates(void)
     enum { TOLERANCES = 3, ROUTES = VM_ROUTE_RK87 + 1, N = TOLERANCES * 100 };
     static double ratio[ROUTES + 1][N];
     int i, k, route, refused = 0, count[ROUTES + 1] = {0};
+    if (only_a_sample()) return;
     for (i = 0; i < COUNT(routes_smooth) * TOLERANCES; i++) {
         const routes_case *c = routes_smooth + i / TOLERANCES;
         const vm_osc_problem o = problem_of(c);
@@ -261,7 +262,7 @@ static void test_localised(void)
 {
     static const double tolerances[] = {1e-2, 1e-4, 1e-6};
     int i, k, route;
-    for (i = 0; i < COUNT(routes_local); i++) {
+    for (i = 0; i < COUNT(routes_local); i += ONE_IN) {
         const routes_case *c = routes_local + i;
         const vm_osc_problem o = problem_of(c);
         vm_osc_motion m = {0, 0, 0, 0, 0, 0};
@@ -324,7 +325,7 @@ static void test_forced(void)
     enum { N = 200 };
     static double ratio[N];
     int i, route, count = 0, by_rk87 = 0;
-    for (i = 0; i < COUNT(routes_forced); i++) {
+    for (i = 0; i < COUNT(routes_forced); i += ONE_IN) {
         const routes_case *c = routes_forced + i;
         const vm_osc_problem o = problem_of(c);
         vm_osc_motion m;
@@ -457,7 +458,7 @@ static void test_speed(void)
     double wanted, law_time, error = 1, tolerance = 1e-4;
     clock_t from;
     int i;
-    if (is_float) return;
+    if (is_float || only_a_sample()) return;
     exact.c = plain_case(3, 0, 1000);
     exact.c.mass.b = 1e-3;
     o = problem_of(&exact.c);
@@ -700,7 +701,7 @@ static void test_waveforms(void)
                                      {5, 7e-4, 1.5e-2, 0.104}};
     static trajectory j;
     int i, k, route;
-    for (i = 0; i < 5 && !is_float; i++) {
+    for (i = 0; i < 5 && !is_float; i += ONE_IN) {
         const double a = rows[i][0];
         const vm_osc_problem o = problem(a, vm_law_linear(1, R(0.01)), 1, 0);
         double worst[3] = {0, 0, 0}, ateb, jacobi, trig;
@@ -887,7 +888,7 @@ static void test_no_phase(void)
     const vm_real x = R(by_precision(1e-150, 1e-17)); /* here the rate, about x^2, is just normal in double and float */
     vm_law masses[4];
     vm_real time[3] = {-20, 0, 20}, value[3] = {1, 2, 4};
-    int i, k, route, side;
+    int i, k, route, side, cases = 0;
     masses[0] = vm_law_linear(1, 0);
     masses[1] = vm_law_linear(10, R(-0.1));
     masses[2] = vm_law_user(sine_of_law, &breathing);
@@ -899,6 +900,7 @@ static void test_no_phase(void)
                 static vm_osc_plan plan;
                 vm_osc_motion m = {0, 0, 0, 0, 0, 0};
                 const vm_real t = R(10 * side);
+                if (cases++ % ONE_IN != 0) continue;
                 o.x = R(x * R(parts[k]));
                 CHECK(vm_osc_within(&o, t, 0, &m) == VM_OK && VM_FABS(m.x - o.x) <= 4 * VM_EPSILON * o.x);
                 CHECK(vm_osc_plan_init(&plan, &o) == VM_OK && vm_osc_plan_within(&plan, t, 0, &m) == VM_OK);
