@@ -33,6 +33,19 @@ static inline int printed_fails(const char *equation, double printed, double tru
     return error <= bound;
 }
 
+/* The largest difference |a_k - b_k| of n numbers. It is not found by fmax, for which gcc 12 for AArch64 ends with an internal
+   error when it vectorises this loop in float. */
+static inline double largest_difference(int n, const vm_real *a, const vm_real *b)
+{
+    double largest = 0;
+    int k;
+    for (k = 0; k < n; k++) {
+        const double difference = fabs((double)(a[k] - b[k]));
+        if (difference > largest) largest = difference;
+    }
+    return largest;
+}
+
 static inline int is_nan(vm_real x) { return x != x; }
 
 /* ---- Direct integration ---- */

@@ -84,11 +84,17 @@ static void test_plane_and_space(void)
 
 /* ---- Sine and cosine of the angle ---- */
 
-/* The angle may be large: a million turns and more, in float a thousand. */
+/* The angle may be large: a million turns and more, in float a thousand. The sine and the cosine of mingw's C library are too
+   wrong for a comparison if the angle is large, because they reduce it by a pi of 66 bits. */
 static void test_angles(void)
 {
     static const double sizes[] = {1, 100, 1600, 1e6, 1.6e6, 1e9};
-    const int size_count = is_float ? 3 : 6, eighths = 60; /* the first angles are multiples of an eighth of a turn */
+#ifdef __MINGW32__
+    const int size_count = 2;
+#else
+    const int size_count = is_float ? 3 : 6;
+#endif
+    const int eighths = 60; /* the first angles are multiples of an eighth of a turn */
     int i;
     for (i = 0; i < 6000; i++) {
         double x = uniform(-1, 1) * sizes[i % size_count];

@@ -24,16 +24,14 @@ static void check_there_and_back(vm_pair *p, double t, double mass, double drag,
 {
     const double alpha = (double)p->alpha;
     vm_real modes[4], back[4], rates[4] = {0};
-    double e, round, left, size, worst = 0;
-    int k;
+    double e, round, left, size;
     CHECK(vm_pair_to_averaged(p, R(t), y, modes) == VM_OK && vm_pair_from_averaged(p, R(t), modes, back) == VM_OK);
     CHECK(vm_pair_averaged_rhs(R(t), modes, rates, p) == VM_OK);
-    for (k = 0; k < 4; k++) worst = fmax(worst, fabs((double)(back[k] - y[k])));
     e = fabs((2 * (double)p->reactive - 1) * drag / (2 * mass * (double)rates[1]));
     round = e * fabs(alpha - 1) / (2 * (alpha + 3));
     left = e / (alpha + 3) * round * round * round;
     size = 4 + (double)modes[0] * fmax(1, (double)rates[1]);
-    check_error("(520), (524)", "back", "rounds", worst / (size * (4 * eps + left)), 1.5, t, alpha);
+    check_error("(520), (524)", "back", "rounds", largest_difference(4, back, y) / (size * (4 * eps + left)), 1.5, t, alpha);
 }
 
 /* (517)-(522): q'' and p'' of the equations of motion at random points; and the modes, there and back */
