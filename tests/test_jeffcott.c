@@ -204,8 +204,7 @@ static double two_frequency_error(double e)
     loads l;
     vm_jeffcott r = make_rotor(m, &p, &l);
     vm_real direct[4] = {R(0.8), R(0.1), R(-0.3), R(0.5)}, y[5], got[4];
-    double t1 = 2 / e, worst = 0;
-    int k;
+    const double t1 = 2 / e;
     l.gamma = 0.3 * e;
     l.c1 = -0.2 * e;
     l.c2 = 0.1 * e;
@@ -216,8 +215,7 @@ static double two_frequency_error(double e)
     solve(vm_jeffcott_averaged_rhs, &r, 5, 0, t1, 1e-9, y);
     solve(vm_jeffcott_rhs, &r, 4, 0, t1, 1e-9, direct);
     CHECK(vm_jeffcott_from_averaged(&r, R(t1), y, got) == VM_OK);
-    for (k = 0; k < 4; k++) worst = fmax(worst, fabs((double)(got[k] - direct[k])));
-    return worst;
+    return largest_difference(4, got, direct);
 }
 
 static void test_two_frequencies(void)
