@@ -557,15 +557,18 @@ static void test_modulus_and_angle_of_large(void)
     CHECK(vmi_atan2(0, 0) == 0 && vmi_atan2(0, 1) == 0 && vmi_atan2(0, -1) == VM_PI);
 }
 
-/* The angles of 20000 points above the line y = x, against the C library's arctangent with the digits of a long double */
+/* The angles of 20000 points above the line y = x, against the C library's arctangent with the digits of a long double. Where
+   these are no more than those of the type tested, the C library's angle may be wrong by an ulp, too. */
 static void test_angles(void)
 {
+    const double reference_error = LDBL_MANT_DIG > VM_MANT_DIG ? 0 : 1;
     int i;
     for (i = 0; i < 20000; i++) {
         const vm_real x = R(uniform(0, 1)), y = R(uniform((double)x, 1));
         const long double angle = atan2l((long double)y, (long double)x);
         const double high = (double)angle, low = (double)(angle - (long double)high);
-        check_error("angle", "above pi/4", "ulp", ERROR_ULP(vmi_arctan(y, x), high, low), 1.9, (double)x, (double)y);
+        check_error("angle", "above pi/4", "ulp", ERROR_ULP(vmi_arctan(y, x), high, low), 1.9 + reference_error, (double)x,
+                    (double)y);
     }
 }
 
