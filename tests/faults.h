@@ -207,7 +207,7 @@ static inline int fault_same(const scenario *s, const outcome *o, double result)
 
 /* The call that fails after the call `at` has failed: all calls of an integrator's or a scene's run; of functions whose
    calls last longer each of the first 40, and then fewer and fewer, so that the test lasts some seconds. Where there
-   are very many calls, they are the calls 0, 7, 63, 511 and so on. */
+   are very many calls, they are the calls 0, 7, 63, 511 and so on. On emulated processors ONE_IN leaves most of them out. */
 static inline long fault_next(const scenario *s, long at, long calls)
 {
     if (!fault_is_single(s)) return at + ONE_IN;
@@ -215,7 +215,8 @@ static inline long fault_next(const scenario *s, long at, long calls)
     return at < 40 ? at + ONE_IN : at + ONE_IN * (1 + at / 4);
 }
 
-/* The scenario with a fault of this kind at each call in turn. `calls` is how many calls there are without a fault. */
+/* The scenario with a fault of this kind at each call in turn. `calls` is how many calls there are without a fault. One fault at
+   least must end with an error, unless only a sample of the calls is tried: the run may step over all of these. */
 static inline void check_faults_of(const scenario *s, int kind, long calls, double result)
 {
     const char *names[5] = {"", "status", "NaN", "", "both"};
